@@ -58,17 +58,9 @@ struct Surface {
 };
 
 std::vector<scene::Triangle> read_triangles(const Surface& surface, std::uint64_t vertices) {
-    const ModelBytes& file = surface.file;
-    const std::uint64_t count = file.count_at(surface.start + 84, "triangles", 0);
+    const std::uint64_t count = surface.file.count_at(surface.start + 84, "triangles", 0);
     const std::uint64_t offset = surface.list(88, count, kTriangleBytes, "triangles");
-    std::vector<scene::Triangle> triangles(count);
-    for (std::uint64_t t = 0; t < count; ++t) {
-        for (std::uint64_t c = 0; c < 3; ++c) {
-            triangles[t][2 - c] = file.index_at<std::int32_t>(
-                offset + t * kTriangleBytes + 4 * c, "a triangle of vertex", vertices);
-        }
-    }
-    return triangles;
+    return quake_triangles<std::int32_t>(surface.file, offset, count, kTriangleBytes, vertices);
 }
 
 scene::VertexFrames read_frames(const Surface& surface, std::uint64_t vertices) {

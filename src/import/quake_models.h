@@ -38,6 +38,23 @@ struct Md3File {
 /// Turns Quake's axes (z up) into ours: x, z, -y.
 [[nodiscard]] glm::dmat4 y_up_from_quake();
 
+/// `count` triangles of three vertex numbers each, from `offset` on every `stride` bytes, turned.
+template <class Index>
+std::vector<scene::Triangle> quake_triangles(const ModelBytes& file,
+                                             std::uint64_t offset,
+                                             std::uint64_t count,
+                                             std::uint64_t stride,
+                                             std::uint64_t vertices) {
+    std::vector<scene::Triangle> triangles(count);
+    for (std::uint64_t t = 0; t < count; ++t) {
+        for (std::uint64_t c = 0; c < 3; ++c) {
+            const std::uint64_t at = offset + t * stride + c * sizeof(Index);
+            triangles[t][2 - c] = file.index_at<Index>(at, "a triangle of vertex", vertices);
+        }
+    }
+    return triangles;
+}
+
 /// A vertex of MDL and MD2: a place in a box of 256 steps each way, and a normal's number.
 struct PackedVertex {
     std::uint8_t p[3];

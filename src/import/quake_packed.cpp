@@ -59,15 +59,8 @@ std::vector<scene::Triangle> read_triangles(const ModelBytes& file,
                                             const Header& header,
                                             std::uint64_t offset) {
     file.need(offset, header.triangles, kTriangleBytes, "triangles");
-    std::vector<scene::Triangle> triangles(header.triangles);
-    for (std::uint64_t t = 0; t < header.triangles; ++t) {
-        const std::uint64_t at = offset + t * kTriangleBytes + 4;
-        for (std::uint64_t c = 0; c < 3; ++c) {
-            triangles[t][2 - c] =
-                file.index_at<std::int32_t>(at + 4 * c, "a triangle of vertex", header.vertices);
-        }
-    }
-    return triangles;
+    return quake_triangles<std::int32_t>(
+        file, offset + 4, header.triangles, kTriangleBytes, header.vertices);
 }
 
 /// All frames, those of groups one after the other. A group's own times are not kept.
@@ -108,15 +101,7 @@ std::vector<scene::Triangle> read_triangles(const ModelBytes& file, std::uint64_
     const std::uint64_t count = file.count_at(32, "triangles", 1);
     const std::uint64_t offset = file.count_at(52, "as the triangles' offset", 0);
     file.need(offset, count, kMd2TriangleBytes, "triangles");
-    std::vector<scene::Triangle> triangles(count);
-    for (std::uint64_t t = 0; t < count; ++t) {
-        for (std::uint64_t c = 0; c < 3; ++c) {
-            const std::uint64_t at = offset + t * kMd2TriangleBytes + 2 * c;
-            triangles[t][2 - c] =
-                file.index_at<std::uint16_t>(at, "a triangle of vertex", vertices);
-        }
-    }
-    return triangles;
+    return quake_triangles<std::uint16_t>(file, offset, count, kMd2TriangleBytes, vertices);
 }
 
 scene::VertexFrames read_frames(const ModelBytes& file, std::uint64_t vertices) {

@@ -93,18 +93,12 @@ float number_in(std::span<const std::byte> body) {
     return body.size() < sizeof(float) ? 0 : number_at<float>(body, 0);
 }
 
+template <class Number = float>
 glm::vec3 vector_in(std::span<const std::byte> body) {
-    using Three = std::array<float, 3>;
+    using Three = std::array<Number, 3>;
     if (body.size() < sizeof(Three)) return glm::vec3(0);
-    const auto f = number_at<Three>(body, 0);
-    return {f[0], f[1], f[2]};
-}
-
-glm::vec3 color_bytes_in(std::span<const std::byte> body) {
-    using Three = std::array<std::uint8_t, 3>;
-    if (body.size() < sizeof(Three)) return glm::vec3(0);
-    const auto b = number_at<Three>(body, 0);
-    return glm::vec3(b[0], b[1], b[2]) / 255.0F;
+    const auto v = number_at<Three>(body, 0);
+    return {v[0], v[1], v[2]};
 }
 
 /// A light and what there is to say of it.
@@ -153,7 +147,7 @@ std::optional<Light3ds> parse_light(std::span<const std::byte> body, const std::
                 break;
             case kColorBytes:
             case kLinearColorBytes:
-                light.color = color_bytes_in(chunk->body);
+                light.color = vector_in<std::uint8_t>(chunk->body) / 255.0F;
                 break;
             default:
                 break;

@@ -5,6 +5,8 @@
 #include <set>
 #include <string_view>
 
+#include "import/meshes/polygons.h"
+
 namespace ink::import {
 namespace {
 
@@ -62,10 +64,6 @@ const Extension* find_extension(std::string_view name) {
                                     : name == known;
     });
     return found == kExtensions.end() ? nullptr : found;
-}
-
-std::string counted(std::size_t count, const std::string& thing) {
-    return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
 }
 
 /// "2 further animations: Run, Jump", of all but number `own`; nameless ones by number.

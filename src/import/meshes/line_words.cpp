@@ -133,6 +133,13 @@ double LineWords::number(std::string_view what) {
     return value;
 }
 
+glm::dvec3 LineWords::vector(std::string_view what) {
+    glm::dvec3 v;
+    for (int axis = 0; axis < 3; ++axis)
+        v[axis] = number(what);
+    return v;
+}
+
 std::uint64_t LineWords::count(std::string_view what) {
     const std::string_view digits = word();
     std::uint64_t value = 0;

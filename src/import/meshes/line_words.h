@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,8 @@ class LineWords {
 
     /// The next word, as a number: `what` in messages. What no double can hold is infinite or 0.
     double number(std::string_view what);
+    /// The next three words, each `what` in messages.
+    glm::dvec3 vector(std::string_view what);
     /// The next word, as a whole number of 0 or more.
     std::uint64_t count(std::string_view what);
 

@@ -94,7 +94,6 @@ class ObjReader {
   private:
     /// Whether the line is a surface: then its keyword is returned.
     std::string_view read_line();
-    void read_position();
     void read_face();
     ObjCorner read_corner(std::string_view word);
     std::uint32_t read_index(std::string_view word, std::size_t count, Ahead& ahead);
@@ -116,13 +115,6 @@ class ObjReader {
     Ahead ahead_normal_;
     LeftOut left_out_;
 };
-
-void ObjReader::read_position() {
-    glm::dvec3 p;
-    for (int axis = 0; axis < 3; ++axis)
-        p[axis] = words_.number("a vertex's coordinate");
-    content_.positions.push_back(p);  // a weight counts for curves only, a colour for nothing
-}
 
 /// The number from 0 that "7" or "-1" means, of `count` that are there so far.
 std::uint32_t ObjReader::read_index(std::string_view word, std::size_t count, Ahead& ahead) {
@@ -176,14 +168,12 @@ void ObjReader::read_face() {
 std::string_view ObjReader::read_line() {
     const std::string_view keyword = words_.word();
     if (keyword == "v") {
-        read_position();
+        // A weight counts for curves only, a colour for nothing.
+        content_.positions.push_back(words_.vector("a vertex's coordinate"));
     } else if (keyword == "f" || keyword == "fo") {
         read_face();
     } else if (keyword == "vn") {
-        glm::vec3 normal;
-        for (int axis = 0; axis < 3; ++axis)
-            normal[axis] = static_cast<float>(words_.number("a normal's coordinate"));
-        content_.normals.push_back(normal);
+        content_.normals.emplace_back(words_.vector("a normal's coordinate"));
     } else if (keyword == "o") {
         object_ = words_.rest();
         if (object_.empty()) object_ = file_name_;

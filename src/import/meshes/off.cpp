@@ -55,16 +55,8 @@ void next_line(LineWords& words, const char* of_what) {
 
 void read_vertex(LineWords& words, const OffKind& kind, ImportedMesh& mesh) {
     next_line(words, "vertices");
-    glm::dvec3 p;
-    for (int axis = 0; axis < 3; ++axis)
-        p[axis] = words.number("a vertex's coordinate");
-    mesh.positions.push_back(p);
-    if (kind.has_normals) {
-        glm::vec3 normal;
-        for (int axis = 0; axis < 3; ++axis)
-            normal[axis] = static_cast<float>(words.number("a normal's coordinate"));
-        mesh.normals.push_back(normal);
-    }
+    mesh.positions.push_back(words.vector("a vertex's coordinate"));
+    if (kind.has_normals) mesh.normals.emplace_back(words.vector("a normal's coordinate"));
     if (!kind.has_more && !words.is_line_over())
         words.fail("more numbers than a vertex has", "one vertex a line; COFF for colours");
 }

@@ -114,8 +114,7 @@ void read_facet(LineWords& words, Facets& facets) {
     std::array<glm::dvec3, 3> corners{};
     for (glm::dvec3& p : corners) {
         expect(words, "vertex");
-        for (int axis = 0; axis < 3; ++axis)
-            p[axis] = words.number("a vertex's coordinate");
+        p = words.vector("a vertex's coordinate");
     }
     expect(words, "endloop");
     expect(words, "endfacet");
