@@ -16,19 +16,6 @@ scene::Mesh square(double half) {
     return make_sheet({-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0});
 }
 
-/// A sheet of `count` quads over a unit square, each of its points put in place by `surface(u, v)`;
-/// fronts face d/du x d/dv.
-template <class Surface>
-scene::Mesh sheet_of(glm::ivec2 count, Surface surface) {
-    std::vector<Ring> rows(count.y + 1);
-    for (int j = 0; j <= count.y; ++j) {
-        for (int i = 0; i <= count.x; ++i) {
-            rows[j].push_back(surface(double(i) / count.x, double(j) / count.y));
-        }
-    }
-    return loft(rows, {.around = false});
-}
-
 /// -1, 0 or 1, different for each corner and axis: MurmurHash3's finaliser, so no generator to
 /// seed.
 double jitter(std::uint32_t n) {
@@ -174,7 +161,7 @@ scene::Scene make_hills_scene() {
         return 0.8 * std::sin(0.9 * x + 0.4) * std::cos(0.8 * z) +
                0.45 * std::sin(1.7 * z - 0.6 * x) + 1.25 * std::exp(-0.5 * bump);
     };
-    stage.add("hills", sheet_of({96, 128}, [&](double u, double v) {
+    stage.add("hills", make_sheet({96, 128}, [&](double u, double v) {
                   const double x = 10 * v - 5;
                   const double z = 7 * u - 3.5;
                   return glm::dvec3(x, height(x, z), z);
@@ -204,7 +191,7 @@ scene::Scene make_flag_scene() {
         const double back = 0.25 * u * std::sin(2 * phase + 0.7);  // folds lean over
         return glm::dvec3(0.1 + 3.25 * u + back, 2 * v - 0.35 * u * u, wave);
     };
-    stage.add("cloth", sheet_of({160, 40}, cloth));
+    stage.add("cloth", make_sheet({160, 40}, cloth));
     return stage.finish({{"front", 0, 3}, {"three_quarter", 36, 18}, {"below", -48, -20}});
 }
 

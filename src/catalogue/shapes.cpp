@@ -171,17 +171,22 @@ scene::Mesh make_box(const glm::dvec3& low, const glm::dvec3& high) {
     return mesh;
 }
 
+scene::Mesh make_sheet(glm::ivec2 count,
+                       const std::function<glm::dvec3(double u, double v)>& surface) {
+    std::vector<Ring> rows(count.y + 1);
+    for (int j = 0; j <= count.y; ++j) {
+        for (int i = 0; i <= count.x; ++i) {
+            rows[j].push_back(surface(double(i) / count.x, double(j) / count.y));
+        }
+    }
+    return loft(rows, {.around = false});
+}
+
 scene::Mesh make_sheet(const glm::dvec3& corner,
                        const glm::dvec3& u,
                        const glm::dvec3& v,
                        glm::ivec2 count) {
-    std::vector<Ring> rows(count.y + 1);
-    for (int j = 0; j <= count.y; ++j) {
-        for (int i = 0; i <= count.x; ++i) {
-            rows[j].push_back(corner + u * (double(i) / count.x) + v * (double(j) / count.y));
-        }
-    }
-    return loft(rows, {.around = false});
+    return make_sheet(count, [&](double s, double t) { return corner + u * s + v * t; });
 }
 
 scene::Mesh revolve(std::span<const glm::dvec2> profile, int segments) {

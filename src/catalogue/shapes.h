@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -46,6 +47,11 @@ struct LoftEnds {
 
 /// The box between two corners, two triangles a side.
 [[nodiscard]] scene::Mesh make_box(const glm::dvec3& low, const glm::dvec3& high);
+
+/// A sheet of `count` quads over a unit square, each of its points put in place by `surface(u, v)`;
+/// fronts face d/du x d/dv.
+[[nodiscard]] scene::Mesh make_sheet(glm::ivec2 count,
+                                     const std::function<glm::dvec3(double u, double v)>& surface);
 
 /// The parallelogram from `corner` along `u` and `v`, cut into `count.x` by `count.y` quads; its
 /// front faces u x v.
