@@ -17,11 +17,14 @@ namespace {
 
 // Styles made ready for pixels: the types that the loop over pixels is compiled with. Each gives
 // the colour of a tone at a point of the view, in its pixels.
+template <class Params>
+class Paint;
 
 /// Surface times light.
-class GouraudPaint {
+template <>
+class Paint<GouraudParams> {
   public:
-    GouraudPaint(const GouraudParams&, const ShadeFrame& frame) : surface_(frame.colors.surface) {}
+    Paint(const GouraudParams&, const ShadeFrame& frame) : surface_(frame.colors.surface) {}
     [[nodiscard]] glm::vec3 color(const Tone& tone, double, double) const {
         return surface_ * tone.light;
     }
@@ -31,9 +34,10 @@ class GouraudPaint {
 };
 
 /// Surface times an entry of the table.
-class ToonPaint {
+template <>
+class Paint<ToonParams> {
   public:
-    ToonPaint(const ToonParams& params, const ShadeFrame& frame)
+    Paint(const ToonParams& params, const ShadeFrame& frame)
         : surface_(frame.colors.surface), table_(make_toon_table(params.steps, params.dark)) {}
     [[nodiscard]] glm::vec3 color(const Tone& tone, double, double) const {
         return surface_ * look_up(table_, brightness(tone.light));
@@ -45,9 +49,10 @@ class ToonPaint {
 };
 
 /// Cool to warm.
-class GoochPaint {
+template <>
+class Paint<GoochParams> {
   public:
-    GoochPaint(const GoochParams& params, const ShadeFrame& frame)
+    Paint(const GoochParams& params, const ShadeFrame& frame)
         : params_(params), surface_(frame.colors.surface) {}
     [[nodiscard]] glm::vec3 color(const Tone& tone, double, double) const {
         return gooch(tone.cosine, params_, surface_);
@@ -59,9 +64,10 @@ class GoochPaint {
 };
 
 /// Ink on strokes, surface between them.
-class StrokePaint {
+template <>
+class Paint<StrokeParams> {
   public:
-    StrokePaint(const StrokeParams& params, const ShadeFrame& frame)
+    Paint(const StrokeParams& params, const ShadeFrame& frame)
         : params_(params), colors_(frame.colors), px_(1.0 / frame.samples_per_px) {}
     [[nodiscard]] glm::vec3 color(const Tone& tone, double x, double y) const {
         const StrokeShares shares = stroke_shares(1 - brightness(tone.light), params_);
@@ -74,19 +80,6 @@ class StrokePaint {
     Colors colors_;
     double px_;
 };
-
-[[nodiscard]] inline GouraudPaint paint_of(const GouraudParams& params, const ShadeFrame& frame) {
-    return {params, frame};
-}
-[[nodiscard]] inline ToonPaint paint_of(const ToonParams& params, const ShadeFrame& frame) {
-    return {params, frame};
-}
-[[nodiscard]] inline GoochPaint paint_of(const GoochParams& params, const ShadeFrame& frame) {
-    return {params, frame};
-}
-[[nodiscard]] inline StrokePaint paint_of(const StrokeParams& params, const ShadeFrame& frame) {
-    return {params, frame};
-}
 
 /// What all tiles of an image read; borrowed.
 struct PaintJob {
@@ -260,8 +253,8 @@ core::Image<Rgb> Shader::draw(const ShadeFrame& frame) const {
     const auto p_clip = project(surface_, view);
     const PaintJob job{surface_, spots_, tones, p_clip, frame};
     std::visit(
-        [&](const auto& params) {
-            PaintSink sink(job, paint_of(params, frame), params, image);
+        [&]<class Params>(const Params& params) {
+            PaintSink sink(job, Paint<Params>(params, frame), params, image);
             draw_tiles(job, sink);
         },
         style_);

@@ -34,26 +34,21 @@ class Segment {
         return end_.x > begin_.x ? 1 : -1;
     }
 
-    /// The side of centres far to the left, and of those far above.
-    [[nodiscard]] int side_left() const { return end_.y > begin_.y ? 1 : -1; }
-    [[nodiscard]] int side_above() const { return begin_.x > end_.x ? 1 : -1; }
+    // Lines of centres run along an axis: 0 for rows, 1 for columns.
 
-    /// The rows whose line of centres the segment crosses, from the first to before the last.
-    [[nodiscard]] std::pair<int, int> rows(int height_px) const {
-        return lines_between(begin_.y, end_.y, height_px);
+    /// The side of centres far to the left, or far above.
+    [[nodiscard]] int side_before(int along) const {
+        return (end_[1 - along] > begin_[1 - along]) == (along == 0) ? 1 : -1;
     }
-    [[nodiscard]] std::pair<int, int> columns(int width_px) const {
-        return lines_between(begin_.x, end_.x, width_px);
+    /// The lines of centres that the segment crosses, from the first to before the last.
+    [[nodiscard]] std::pair<int, int> lines(int along, int count) const {
+        return lines_between(begin_[1 - along], end_[1 - along], count);
     }
-
-    /// About where it crosses the centres' line of row y.
-    [[nodiscard]] double x_at(int y) const {
-        const double s = (y + 0.5 - begin_.y) / (end_.y - begin_.y);
-        return begin_.x + s * (end_.x - begin_.x);
-    }
-    [[nodiscard]] double y_at(int x) const {
-        const double s = (x + 0.5 - begin_.x) / (end_.x - begin_.x);
-        return begin_.y + s * (end_.y - begin_.y);
+    /// About where it crosses a line.
+    [[nodiscard]] double place_on(int along, int line) const {
+        const glm::dvec2 way = end_ - begin_;
+        const double s = (line + 0.5 - begin_[1 - along]) / way[1 - along];
+        return begin_[along] + s * way[along];
     }
 
   private:
@@ -86,25 +81,21 @@ void mark(std::uint8_t& crack, std::uint8_t label) {
 }
 
 void draw(const Curve& curve, Cracks& cracks) {
-    const int width = cracks.right.width_px();
-    const int height = cracks.right.height_px();
     const auto label = static_cast<std::uint8_t>(curve.line_class);
     const Segment segment(curve);
-    const auto [first_row, last_row] = segment.rows(height);
-    for (int y = first_row; y < last_row; ++y) {
-        const double guess_px = segment.x_at(y);
-        if (!(guess_px > -1 && guess_px < width + 1)) continue;
-        const int x =
-            find_change(guess_px, segment.side_left(), [&](int i) { return segment.side(i, y); });
-        if (x >= 0 && x + 1 < width) mark(cracks.right.at(x, y), label);
-    }
-    const auto [first_column, last_column] = segment.columns(width);
-    for (int x = first_column; x < last_column; ++x) {
-        const double guess_px = segment.y_at(x);
-        if (!(guess_px > -1 && guess_px < height + 1)) continue;
-        const int y =
-            find_change(guess_px, segment.side_above(), [&](int i) { return segment.side(x, i); });
-        if (y >= 0 && y + 1 < height) mark(cracks.below.at(x, y), label);
+    for (const int along : {0, 1}) {
+        core::Image<std::uint8_t>& marks = along == 0 ? cracks.right : cracks.below;
+        const glm::ivec2 size(marks.width_px(), marks.height_px());
+        const auto [first, last] = segment.lines(along, size[1 - along]);
+        for (int line = first; line < last; ++line) {
+            const double guess_px = segment.place_on(along, line);
+            if (!(guess_px > -1 && guess_px < size[along] + 1)) continue;
+            glm::ivec2 p(line);
+            p[along] = find_change(guess_px, segment.side_before(along), [&](int i) {
+                return along == 0 ? segment.side(i, line) : segment.side(line, i);
+            });
+            if (p[along] >= 0 && p[along] + 1 < size[along]) mark(marks.at(p.x, p.y), label);
+        }
     }
 }
 

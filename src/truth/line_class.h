@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -29,23 +30,10 @@ inline constexpr std::array kLineClasses = {LineClass::contour,
 
 /// "contour", "boundary", ...: the one spelling of columns, keys and legends.
 [[nodiscard]] constexpr std::string_view name(LineClass c) {
-    switch (c) {
-        case LineClass::none:
-            return "none";
-        case LineClass::contour:
-            return "contour";
-        case LineClass::boundary:
-            return "boundary";
-        case LineClass::crease:
-            return "crease";
-        case LineClass::intersection:
-            return "intersection";
-        case LineClass::seam:
-            return "seam";
-        case LineClass::ignore:
-            return "ignore";
-    }
-    return "?";
+    constexpr std::array<std::string_view, 8> kNames{
+        "none", "contour", "boundary", "crease", "intersection", "seam", "?", "ignore"};
+    const auto number = static_cast<std::size_t>(c);
+    return number < kNames.size() ? kNames[number] : "?";
 }
 
 }  // namespace ink::truth
