@@ -5,13 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/box.h"
+
 namespace ink::methods {
 namespace {
-
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
 
 /// Whether a face runs through the `i`-th edge of another in the same direction.
 bool is_turned(const scene::Face& face, std::size_t i, const scene::Face& other) {
@@ -29,7 +26,8 @@ std::vector<glm::dvec3> patch_normals(const SmoothMesh& mesh) {
     for (std::size_t f = 0; f < normals.size(); ++f) {
         const auto& [a, b, c] = topology.faces[f].vertices;
         const glm::dvec3& p = topology.p_world[a];
-        normals[f] = unit_or_zero(glm::cross(topology.p_world[b] - p, topology.p_world[c] - p));
+        normals[f] =
+            scene::unit_or_zero(glm::cross(topology.p_world[b] - p, topology.p_world[c] - p));
     }
     enum : std::uint8_t { unseen, as_it_is, flipped };
     std::vector<std::uint8_t> side(mesh.face_count(), unseen);
@@ -61,7 +59,7 @@ std::vector<double> fan_spreads(const SmoothMesh& mesh, const std::vector<glm::d
     for (std::size_t corner = 0; corner < mesh.fan_of.size(); ++corner)
         means[mesh.fan_of[corner]] += normals[corner / 3];
     for (glm::dvec3& mean : means)
-        mean = unit_or_zero(mean);
+        mean = scene::unit_or_zero(mean);
     std::vector<double> spreads(mesh.fan_count, 0);
     for (std::size_t corner = 0; corner < mesh.fan_of.size(); ++corner) {
         double& spread = spreads[mesh.fan_of[corner]];

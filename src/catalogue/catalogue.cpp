@@ -100,8 +100,7 @@ const std::vector<CatalogueEntry>& catalogue() {
 
 scene::Scene make_catalogue_scene(const std::string& name) {
     const auto& entries = catalogue();
-    const auto found = std::find_if(
-        entries.begin(), entries.end(), [&](const auto& entry) { return entry.name == name; });
+    const auto found = std::ranges::find(entries, name, &CatalogueEntry::name);
     if (found != entries.end()) return found->make();
     std::vector<std::string> names;
     for (const auto& entry : entries)

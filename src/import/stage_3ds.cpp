@@ -182,8 +182,7 @@ std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file) {
 std::vector<CameraKeys> read_3ds_camera_keys(std::span<const std::byte> file) {
     std::vector<CameraKeys> cameras;
     const auto of = [&](const std::string& name) -> CameraKeys& {
-        const auto known = std::find_if(
-            cameras.begin(), cameras.end(), [&](const CameraKeys& c) { return c.name == name; });
+        const auto known = std::ranges::find(cameras, name, &CameraKeys::name);
         return known == cameras.end() ? cameras.emplace_back(CameraKeys{name, {}, {}}) : *known;
     };
     for (Track3ds& track : tracks_of(file)) {

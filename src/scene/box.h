@@ -40,6 +40,11 @@ struct Box {
     return box;
 }
 
+[[nodiscard]] inline glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0);
+}
+
 [[nodiscard]] inline bool is_finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

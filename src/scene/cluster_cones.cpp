@@ -41,11 +41,6 @@ struct Patch {
     std::array<Normal, kMaxClusterTriangles> normals;
 };
 
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
-
 /// Moves the mean of the normals towards the one farthest from it, by ever smaller steps (Badoiu
 /// and Clarkson 2003, "Smaller core-sets for balls"): the mean lies where most faces look, and a
 /// cone must hold the last one too. Bunny from outside: 32 % of its triangles turned away with the

@@ -40,8 +40,7 @@ class Grower {
         for (const auto& [a, b, c] : surface.triangles) {
             const glm::dvec3 p = surface.p_world[a], q = surface.p_world[b], r = surface.p_world[c];
             const glm::dvec3 n = glm::cross(q - p, r - p);
-            const double length = glm::length(n);
-            shapes_.push_back({(p + q + r) / 3.0, length > 0 ? n / length : glm::dvec3(0)});
+            shapes_.push_back({(p + q + r) / 3.0, unit_or_zero(n)});
         }
     }
 
@@ -104,8 +103,7 @@ class Grower {
         Choice best;
         if (triangle_count_ == kMaxClusterTriangles) return best;
         const glm::dvec3 center = center_sum_ / std::max(1.0, double(triangle_count_));
-        const double n_length = glm::length(n_sum_);
-        const glm::dvec3 axis = n_length > 0 ? n_sum_ / n_length : glm::dvec3(0);
+        const glm::dvec3 axis = unit_or_zero(n_sum_);
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
             const std::uint32_t t = candidates_[i];
             std::uint32_t cost = 0;

@@ -1,7 +1,6 @@
 #include "scene/components.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -54,10 +53,8 @@ std::vector<std::uint32_t> number_faces(const Topology& topology) {
 }
 
 void add_face(const Topology& topology, const Face& face, Component& component, Tally& tally) {
-    for (const std::uint32_t v : face.vertices) {
-        component.low_world = glm::min(component.low_world, topology.p_world[v]);
-        component.high_world = glm::max(component.high_world, topology.p_world[v]);
-    }
+    for (const std::uint32_t v : face.vertices)
+        component.box_world.add(topology.p_world[v]);
     ++component.faces;
     // Seen from a point nearby, so that a small component far from the origin keeps its volume's
     // sign.
@@ -70,7 +67,7 @@ void add_face(const Topology& topology, const Face& face, Component& component, 
 
 /// Widens the ball round a component whose box is known.
 void reach(const Topology& topology, const Face& face, Component& component) {
-    const glm::dvec3 centre = (component.low_world + component.high_world) * 0.5;
+    const glm::dvec3 centre = component.box_world.center();
     for (const std::uint32_t v : face.vertices)
         component.radius = std::max(component.radius, glm::length(topology.p_world[v] - centre));
 }
@@ -103,18 +100,19 @@ void count_vertices(const Topology& topology,
         ++tallies[component].vertices;
 }
 
-bool have_common_room(const Component& a, const Component& b) {
-    const glm::dvec3 apart = (a.low_world + a.high_world - b.low_world - b.high_world) * 0.5;
-    if (glm::length(apart) >= a.radius + b.radius) return false;
+bool have_common_room(const Component& one, const Component& other) {
+    const Box &a = one.box_world, &b = other.box_world;
+    const glm::dvec3 apart = (a.low + a.high - b.low - b.high) * 0.5;
+    if (glm::length(apart) >= one.radius + other.radius) return false;
     for (int axis = 0; axis < 3; ++axis) {
-        const double low = std::max(a.low_world[axis], b.low_world[axis]);
-        const double high = std::min(a.high_world[axis], b.high_world[axis]);
+        const double low = std::max(a.low[axis], b.low[axis]);
+        const double high = std::min(a.high[axis], b.high[axis]);
         if (low > high) return false;
         if (low < high) continue;
         // Touching is no crossing, unless a flat component stands within the other.
-        const auto stands_within = [&](const Component& flat, const Component& other) {
-            return flat.low_world[axis] == flat.high_world[axis] && other.low_world[axis] < low &&
-                   other.high_world[axis] > high;
+        const auto stands_within = [&](const Box& flat, const Box& around) {
+            return flat.low[axis] == flat.high[axis] && around.low[axis] < low &&
+                   around.high[axis] > high;
         };
         if (!stands_within(a, b) && !stands_within(b, a)) return false;
     }
@@ -128,14 +126,8 @@ Components find_components(const Topology& topology) {
     const std::vector<std::uint32_t>& component_of = found.component_of;
     const std::size_t count =
         component_of.empty() ? 0 : 1 + *std::max_element(component_of.begin(), component_of.end());
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const Component blank{.faces = 0,
-                          .low_world = glm::dvec3(kInfinity),
-                          .high_world = glm::dvec3(-kInfinity),
-                          .is_closed = true,
-                          .is_consistent = true};
     std::vector<Component>& components = found.components;
-    components.assign(count, blank);
+    components.assign(count, {.is_closed = true, .is_consistent = true});
     std::vector<Tally> tallies(count);
     for (std::size_t f = 0; f < topology.faces.size(); ++f) {
         add_face(
@@ -162,23 +154,22 @@ Components find_components(const Topology& topology) {
 std::size_t count_overlapping_components(const std::vector<Component>& components,
                                          std::size_t most) {
     if (components.empty()) return 0;
-    glm::dvec3 low = components.front().low_world, high = components.front().high_world;
+    Box box;
     std::vector<const Component*> sorted;
     for (const Component& component : components) {
-        low = glm::min(low, component.low_world);
-        high = glm::max(high, component.high_world);
+        box.add(component.box_world);
         sorted.push_back(&component);
     }
     // Swept along the longest way, on which the fewest boxes stand side by side.
-    const glm::dvec3 size = high - low;
+    const glm::dvec3 size = box.high - box.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     std::sort(sorted.begin(), sorted.end(), [axis](const Component* a, const Component* b) {
-        return a->low_world[axis] < b->low_world[axis];
+        return a->box_world.low[axis] < b->box_world.low[axis];
     });
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         for (std::size_t j = i + 1; j < sorted.size(); ++j) {
-            if (sorted[j]->low_world[axis] > sorted[i]->high_world[axis]) break;
+            if (sorted[j]->box_world.low[axis] > sorted[i]->box_world.high[axis]) break;
             pairs += have_common_room(*sorted[i], *sorted[j]);
             if (pairs == most) return pairs;
         }

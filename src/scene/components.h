@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
 
+#include "scene/box.h"
 #include "scene/topology.h"
 
 namespace ink::scene {
@@ -16,8 +16,7 @@ inline constexpr double kFlat_rad = 1e-3;
 /// What can be reached over welded edges, objects notwithstanding.
 struct Component {
     std::size_t faces = 0;
-    glm::dvec3 low_world{0};  ///< the box round it
-    glm::dvec3 high_world{0};
+    Box box_world{};
     double radius = 0;           ///< from the box's centre to its farthest corner
     bool is_closed = false;      ///< each of its edges has exactly two faces
     bool is_consistent = false;  ///< neighbours run through their edge in opposite directions

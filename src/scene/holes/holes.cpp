@@ -42,8 +42,7 @@ std::vector<RimSide> list_rim_sides(const FaceGraph& graph) {
 /// The rings of one solid's sides, which are sorted, behind what `clusters` has; false if they meet
 /// or are too many.
 bool walk_rings(std::span<RimSide> sides, const FaceGraph& graph, Clusters& clusters) {
-    const auto meet = [](const RimSide& a, const RimSide& b) { return a.from == b.from; };
-    if (std::adjacent_find(sides.begin(), sides.end(), meet) != sides.end()) return false;
+    if (std::ranges::adjacent_find(sides, {}, &RimSide::from) != sides.end()) return false;
     std::size_t count = 0;
     for (RimSide& first : sides) {
         if (first.is_walked) continue;
@@ -53,10 +52,7 @@ bool walk_rings(std::span<RimSide> sides, const FaceGraph& graph, Clusters& clus
         for (RimSide* side = &first; !side->is_walked;) {
             side->is_walked = true;
             clusters.rims.push_back(graph.corner_at[side->from]);
-            const auto next = std::lower_bound(
-                sides.begin(), sides.end(), side->to, [](const RimSide& s, std::uint32_t place) {
-                    return s.from < place;
-                });
+            const auto next = std::ranges::lower_bound(sides, side->to, {}, &RimSide::from);
             if (next == sides.end() || next->from != side->to) return false;
             side = &*next;
         }

@@ -35,8 +35,7 @@ std::int64_t SharedWork::saved_ns() {
 }
 
 const SharedWork::Kept* SharedWork::find(const std::string& name) {
-    const auto found = std::find_if(
-        kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.name == name; });
+    const auto found = std::ranges::find(kept_, name, &Kept::name);
     if (found == kept_.end()) return nullptr;
     kept_.splice(kept_.begin(), kept_, found);
     return &kept_.front();
