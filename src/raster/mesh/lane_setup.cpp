@@ -70,17 +70,8 @@ HWY_INLINE void SetUpBox(const Corner (&c)[3],
     hn::Store(hn::Min(y1, hn::Set(d, drawn.y1)), d, out.y1 + at);
 }
 
-HWY_INLINE void StoreNumbers(const NumberPlane& p, std::size_t at, LaneTriangles::Numbers& out) {
-    const DF df;
-    hn::Store(p.at_ref, df, out.at_ref + at);
-    hn::Store(p.dx, df, out.dx + at);
-    hn::Store(p.dy, df, out.dy + at);
-    hn::Store(p.low, df, out.low + at);
-    hn::Store(p.high, df, out.high + at);
-}
-
-HWY_INLINE void StoreCodes(const CodePlane& p, std::size_t at, LaneTriangles::Codes& out) {
-    const DI d;
+template <class D, class Plane, class Planes>
+HWY_INLINE void StorePlane(D d, const Plane& p, std::size_t at, Planes& out) {
     hn::Store(p.at_ref, d, out.at_ref + at);
     hn::Store(p.dx, d, out.dx + at);
     hn::Store(p.dy, d, out.dy + at);
@@ -110,16 +101,16 @@ void SetUpLanes(const PassFormat& format,
         SetUpBox(c, drawn, at, out);
         const auto is_thin = SetUpEdges(c, ref, at, out);
         const PlaneLanes planes = MakePlanes(c, ref);
-        StoreNumbers(MakeDepth(planes, c, depth_bias), at, out.q);
+        StorePlane(df, MakeDepth(planes, c, depth_bias), at, out.q);
         auto needs_limits = is_thin;
         const auto set_up = [&](VF v0, VF v1, VF v2, std::size_t i) {
             if (format.store == Store::f32) {
                 const auto limit = hn::RebindMask(df, is_thin);
-                StoreNumbers(MakeNumbers(planes, v0, v1, v2, limit), at, out.numbers[i]);
+                StorePlane(df, MakeNumbers(planes, v0, v1, v2, limit), at, out.numbers[i]);
                 return;
             }
             const CodePlane codes = MakeCodes(planes, v0, v1, v2, is_thin, scale);
-            StoreCodes(codes, at, out.codes[i]);
+            StorePlane(d, codes, at, out.codes[i]);
             needs_limits = hn::Or(needs_limits, codes.may_leave);
         };
         if (values > 0) set_up(c[0].value, c[1].value, c[2].value, 0);
