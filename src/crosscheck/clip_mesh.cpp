@@ -98,15 +98,11 @@ bool ClipMesh::holds(const LocalFace& face, double reach_px) {
 }
 
 int ClipMesh::side_of(const scene::Edge& edge, std::uint32_t face) const {
-    const scene::Face& f = topology_.faces[face];
-    const auto at = std::find(f.vertices.begin(), f.vertices.end(), edge.a) - f.vertices.begin();
-    const bool runs_along = f.vertices[static_cast<std::size_t>(at + 1) % 3] == edge.b;
-    return runs_along ? orientation_[face] : -orientation_[face];
+    return runs_forward(topology_.faces[face], edge) ? orientation_[face] : -orientation_[face];
 }
 
 bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
-    const scene::Face &f0 = topology_.faces[face0], &f1 = topology_.faces[face1];
-    return f0.object != f1.object;
+    return topology_.faces[face0].object != topology_.faces[face1].object;
 }
 
 truth::LineClass ClipMesh::class_between(const scene::Edge& edge,
@@ -118,18 +114,11 @@ truth::LineClass ClipMesh::class_between(const scene::Edge& edge,
 }
 
 ClipMesh::EdgeKind ClipMesh::kind_of(const scene::Edge& edge) const {
-    if (edge.face_count == 1) return EdgeKind::boundary;
-    if (edge.face_count > 2) return EdgeKind::mixed;
+    if (edge.face_count == 1) return truth::LineClass::boundary;
+    if (edge.face_count > 2) return std::nullopt;
     const auto faces = topology_.faces_of(edge);
-    if (side_of(edge, faces[0]) * side_of(edge, faces[1]) >= 0) return EdgeKind::contour;
-    switch (class_between(edge, faces[0], faces[1])) {
-        case truth::LineClass::crease:
-            return EdgeKind::crease;
-        case truth::LineClass::seam:
-            return EdgeKind::seam;
-        default:
-            return EdgeKind::flat;
-    }
+    if (side_of(edge, faces[0]) * side_of(edge, faces[1]) >= 0) return truth::LineClass::contour;
+    return class_between(edge, faces[0], faces[1]);
 }
 
 std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
@@ -158,23 +147,11 @@ std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
 Across ClipMesh::across(std::uint32_t face, std::size_t side) const {
     const std::uint32_t index = topology_.faces[face].edges[side];
     const scene::Edge& edge = topology_.edges[index];
-    const auto other = [&] {
+    if (const EdgeKind kind = kinds_[index]) {
+        if (*kind == truth::LineClass::boundary || *kind == truth::LineClass::contour)
+            return {*kind, kNothing};
         const auto faces = topology_.faces_of(edge);
-        return faces[0] == face ? faces[1] : faces[0];
-    };
-    switch (kinds_[index]) {
-        case EdgeKind::flat:
-            return {truth::LineClass::none, other()};
-        case EdgeKind::boundary:
-            return {truth::LineClass::boundary, kNothing};
-        case EdgeKind::contour:
-            return {truth::LineClass::contour, kNothing};
-        case EdgeKind::crease:
-            return {truth::LineClass::crease, other()};
-        case EdgeKind::seam:
-            return {truth::LineClass::seam, other()};
-        case EdgeKind::mixed:
-            break;
+        return {*kind, faces[0] == face ? faces[1] : faces[0]};
     }
     const int from = side_of(edge, face);
     const std::uint32_t beyond = from == 0 ? kNothing : nearest_on(edge, -from);

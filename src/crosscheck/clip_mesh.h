@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "crosscheck/dense_sampling.h"
@@ -56,7 +57,7 @@ class ClipMesh {
     }
     /// Per edge: whether a line may be drawn there, whichever way it is looked at.
     [[nodiscard]] bool is_feature(std::uint32_t edge) const {
-        return kinds_[edge] != EdgeKind::flat;
+        return kinds_[edge] != truth::LineClass::none;
     }
 
     [[nodiscard]] LocalFace local_face(std::uint32_t face, const glm::dvec2& p_px) const;
@@ -102,9 +103,8 @@ class ClipMesh {
     [[nodiscard]] double rounding(std::uint32_t face) const;
 
   private:
-    /// Edges of two faces are judged once; `mixed` ones (three faces and more) where they are met.
-    enum class EdgeKind : std::uint8_t { flat, boundary, contour, crease, seam, mixed };
-
+    /// Edges of two faces are judged once; those of more (nothing) where they are met.
+    using EdgeKind = std::optional<truth::LineClass>;
     [[nodiscard]] EdgeKind kind_of(const scene::Edge& edge) const;
     /// Which side of the plane through eye and edge a face lies on: 1, -1, 0 in it.
     [[nodiscard]] int side_of(const scene::Edge& edge, std::uint32_t face) const;

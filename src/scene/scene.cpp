@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -103,15 +104,8 @@ Sphere sphere_of(const Scene& scene) {
 }  // namespace
 
 std::string_view split_name(Split split) {
-    switch (split) {
-        case Split::train:
-            return "train";
-        case Split::heldout:
-            return "heldout";
-        case Split::real:
-            return "real";
-    }
-    return "";
+    constexpr std::array<std::string_view, 3> kNames{"train", "heldout", "real"};
+    return kNames.at(static_cast<std::size_t>(split));
 }
 
 bool is_mirrored(const Instance& instance) {
