@@ -1,6 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -14,6 +13,7 @@
 #include "bench/cores.h"
 #include "bench/results.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "core/provenance.h"
 #include "core/simd.h"
 
@@ -38,10 +38,8 @@ std::optional<std::string> value_of(const std::string& word, std::string_view na
 }
 
 int parse_count(const std::string& text) {
-    int count = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc() || end != text.data() + text.size() || count < 1)
-        throw core::Error("--draws", "'" + text + "'", "a whole number from 1 on");
+    const int count = core::parse_number<int>(text).value_or(0);
+    if (count < 1) throw core::Error("--draws", "'" + text + "'", "a whole number from 1 on");
     return count;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "methods/toml_reader.h"
 
 namespace ink::methods {
@@ -16,22 +17,6 @@ constexpr const char* kNeeded = "name, method, [settings]";
 constexpr std::size_t kSweepSettings = 8;
 /// How far the sweep steps from a tuned number to either side.
 constexpr std::array kSweepSteps = {0.75, 1.25};
-
-const method::MethodInfo* find_base(const std::vector<method::MethodInfo>& bases,
-                                    const std::string& name) {
-    const auto found =
-        std::find_if(bases.begin(), bases.end(), [&](const method::MethodInfo& info) {
-            return info.name == name;
-        });
-    return found == bases.end() ? nullptr : &*found;
-}
-
-std::vector<std::string> names_of(const std::vector<method::MethodInfo>& bases) {
-    std::vector<std::string> names;
-    for (const method::MethodInfo& info : bases)
-        names.push_back(info.name);
-    return names;
-}
 
 void check_name(const std::string& name, const std::string& where) {
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_";
@@ -75,10 +60,8 @@ std::vector<core::ParamValues> sweep_of(const method::MethodInfo& tuned,
     };
     core::ParamValues changed;
     for (const core::Param& param : tuned.params) {
-        const auto own = std::find_if(base.params.begin(), base.params.end(), [&](auto& each) {
-            return each.name == param.name;
-        });
-        if (own->default_value != param.default_value) changed[param.name] = "";
+        const core::Param& own = *core::find_named(base.params, param.name);
+        if (own.default_value != param.default_value) changed[param.name] = "";
     }
     // A threshold in a line belongs to the line's other settings.
     changed["threshold"] = "";
@@ -138,11 +121,11 @@ Preset parse_preset(std::string_view text,
     preset.name = file.needed_text("name", kNeeded);
     check_name(preset.name, file.where("name"));
     preset.method = file.needed_text("method", kNeeded);
-    const method::MethodInfo* base = find_base(bases, preset.method);
+    const method::MethodInfo* base = core::find_named(bases, preset.method);
     if (base == nullptr) {
         throw core::Error(file.where("method"),
                           fmt::format("there is no method '{}'", preset.method),
-                          core::known_names(names_of(bases), preset.method));
+                          core::known_names(core::names_of(bases), preset.method));
     }
     auto settings = file.table("settings");
     if (!settings) throw core::Error(where, "there is no [settings]", kNeeded);
@@ -154,7 +137,7 @@ Preset parse_preset(std::string_view text,
 
 method::MethodInfo preset_method(const Preset& preset,
                                  const std::vector<method::MethodInfo>& bases) {
-    const method::MethodInfo& base = *find_base(bases, preset.method);
+    const method::MethodInfo& base = *core::find_named(bases, preset.method);
     method::MethodInfo info = base;
     info.name = preset.name;
     info.preset_of = base.name;

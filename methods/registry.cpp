@@ -1,8 +1,7 @@
 #include "methods/registry.h"
 
-#include <algorithm>
-
 #include "core/error.h"
+#include "core/named.h"
 #include "methods/method_file.h"
 #include "methods/presets.h"
 
@@ -49,9 +48,8 @@ namespace {
 /// The method with what its file says.
 method::MethodInfo with_data(method::MethodInfo info) {
     const auto files = method_files();
-    const auto file = std::find_if(
-        files.begin(), files.end(), [&](const auto& each) { return each.name == info.name; });
-    if (file == files.end())
+    const ShippedFile* file = core::find_named(files, info.name);
+    if (file == nullptr)
         throw core::Error("methods/CMakeLists.txt", "it has no line '" + info.name + "'");
     return described(std::move(info), file->text, file->where());
 }
@@ -75,17 +73,10 @@ const std::vector<method::MethodInfo>& registry() {
 }
 
 const method::MethodInfo& find_method(const std::string& name) {
-    const auto& methods = registry();
-    const auto found =
-        std::find_if(methods.begin(), methods.end(), [&](const method::MethodInfo& info) {
-            return info.name == name;
-        });
-    if (found != methods.end()) return *found;
-    std::vector<std::string> names;
-    for (const method::MethodInfo& info : methods)
-        names.push_back(info.name);
-    throw core::Error(
-        "methods", "there is no method '" + name + "'", core::known_names(names, name));
+    if (const method::MethodInfo* found = core::find_named(registry(), name)) return *found;
+    throw core::Error("methods",
+                      "there is no method '" + name + "'",
+                      core::known_names(core::names_of(registry()), name));
 }
 
 }  // namespace ink::methods

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/named.h"
 
 namespace ink::methods {
 namespace {
@@ -190,8 +191,7 @@ const core::Param& param_of(const std::vector<core::Param>& params,
                             const std::string& name,
                             const std::string& place) {
     core::check_known_params(params, {{name, ""}}, place);
-    return *std::find_if(
-        params.begin(), params.end(), [&](const auto& each) { return each.name == name; });
+    return *core::find_named(params, name);
 }
 
 toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {

@@ -110,15 +110,10 @@ core::Image<glm::u8vec3> code_image(const FrameCodes& codes, const CodeLayout& l
 
 core::Image<glm::u8vec3> response_image(const edge::EdgeImage& edge_responses, int threshold) {
     assert(threshold >= 1 && threshold <= 255);
-    core::Image<glm::u8vec3> image(edge_responses.width_px(), edge_responses.height_px());
-    std::transform(edge_responses.data(),
-                   edge_responses.data() + edge_responses.size(),
-                   image.data(),
-                   [&](int edge_response) {
-                       return glm::u8vec3(static_cast<std::uint8_t>(
-                           std::min(edge_response * 128 / threshold, 255)));
-                   });
-    return image;
+    return core::mapped<glm::u8vec3>(edge_responses, [&](int edge_response) {
+        return glm::u8vec3(
+            static_cast<std::uint8_t>(std::min(edge_response * 128 / threshold, 255)));
+    });
 }
 
 }  // namespace ink::buffers

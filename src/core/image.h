@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <new>
@@ -99,5 +100,13 @@ class Image {
     int height_px_ = 0;
     std::vector<T, LineAllocator<T>> pixels_;
 };
+
+/// The image of what `map` makes of each pixel.
+template <class To, class From, class Map>
+[[nodiscard]] Image<To> mapped(const Image<From>& image, Map map) {
+    Image<To> result(image.width_px(), image.height_px());
+    std::transform(image.data(), image.data() + image.size(), result.data(), map);
+    return result;
+}
 
 }  // namespace ink::core

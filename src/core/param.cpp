@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <optional>
 
 #include "core/error.h"
+#include "core/named.h"
+#include "core/parse_number.h"
 
 namespace ink::core {
 namespace {
-
-std::optional<double> parse_number(std::string_view text) {
-    double value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    return value;
-}
 
 std::optional<double> parse_flag(std::string_view text) {
     if (text == "true" || text == "1" || text == "yes" || text == "on") return 1;
@@ -46,8 +38,9 @@ std::optional<double> parse(const Param& param, std::string_view text) {
         case ParamKind::real:
             break;
     }
-    const auto value = parse_number(text);
-    if (!value || *value < param.min || *value > param.max) return std::nullopt;
+    const auto value = parse_number<double>(text);
+    // NaN is in no range.
+    if (!value || !(*value >= param.min && *value <= param.max)) return std::nullopt;
     if (param.kind == ParamKind::integer && *value != std::floor(*value)) return std::nullopt;
     return value;
 }
@@ -130,14 +123,11 @@ std::string accepted_values(const Param& param) {
 void check_known_params(const std::vector<Param>& params,
                         const ParamValues& values,
                         std::string_view where) {
-    std::vector<std::string> names;
-    for (const Param& param : params)
-        names.push_back(param.name);
     for (const auto& [name, text] : values) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
+        if (find_named(params, name) == nullptr) {
             throw Error(std::string(where),
                         fmt::format("there is no parameter '{}'", name),
-                        names.empty() ? "no parameters" : known_names(names, name));
+                        params.empty() ? "no parameters" : known_names(names_of(params), name));
         }
     }
 }

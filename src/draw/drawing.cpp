@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "draw/palette.h"
 #include "edge/thin.h"
+#include "edge/threshold.h"
 
 namespace ink::draw {
 namespace {
@@ -51,12 +52,7 @@ edge::EdgeImage draw_method(const harness::SceneViews& scene_views,
 
 /// One pixel wide where edge responses reach the threshold.
 edge::Mask thin_lines(const edge::EdgeImage& edge_responses, int threshold) {
-    edge::Mask mask(edge_responses.width_px(), edge_responses.height_px());
-    std::transform(edge_responses.data(),
-                   edge_responses.data() + edge_responses.size(),
-                   mask.data(),
-                   [&](int s) { return static_cast<std::uint8_t>(s >= threshold ? 1 : 0); });
-    return edge::thin(mask);
+    return edge::thin(edge::threshold(edge_responses, threshold));
 }
 
 /// Edge responses where the lines lie once they are thinned.

@@ -127,18 +127,12 @@ core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_
 }  // namespace
 
 RgbImage error_image(const Marks& marks) {
-    RgbImage image(marks.width_px(), marks.height_px());
-    std::transform(marks.data(), marks.data() + marks.size(), image.data(), colour_of_mark);
-    return image;
+    return core::mapped<glm::u8vec3>(marks, colour_of_mark);
 }
 
 RgbImage truth_image(const core::Image<std::uint8_t>& labels) {
-    RgbImage image(labels.width_px(), labels.height_px());
-    std::transform(
-        labels.data(), labels.data() + labels.size(), image.data(), [](std::uint8_t label) {
-            return colour_of(static_cast<LineClass>(label)).rgb;
-        });
-    return image;
+    return core::mapped<glm::u8vec3>(
+        labels, [](std::uint8_t label) { return colour_of(static_cast<LineClass>(label)).rgb; });
 }
 
 Marks shrink(const Marks& image, int factor) {

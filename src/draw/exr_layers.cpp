@@ -30,13 +30,6 @@ float linear_light(std::uint8_t value) {
     return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
 }
 
-template <class From, class To, class Map>
-core::Image<To> mapped(const core::Image<From>& image, Map map) {
-    core::Image<To> result(image.width_px(), image.height_px());
-    std::transform(image.data(), image.data() + image.size(), result.data(), map);
-    return result;
-}
-
 /// `layer` is "" for the image itself, else a name with its dot.
 void add_colours(const RgbImage& image, const std::string& layer, ExrFile& file) {
     std::array<float, 256> light{};
@@ -46,17 +39,16 @@ void add_colours(const RgbImage& image, const std::string& layer, ExrFile& file)
     for (int c = 0; c < 3; ++c) {
         const auto channel = [&](const glm::u8vec3& rgb) { return light[rgb[c]]; };
         file.channels.push_back({layer + kNames[static_cast<std::size_t>(c)],
-                                 HalfImage{mapped<glm::u8vec3, float>(image, channel)}});
+                                 HalfImage{core::mapped<float>(image, channel)}});
     }
 }
 
 core::Image<std::uint32_t> whole_numbers(const core::Image<std::uint8_t>& image) {
-    return mapped<std::uint8_t, std::uint32_t>(image, [](std::uint8_t v) { return v; });
+    return core::mapped<std::uint32_t>(image, [](std::uint8_t v) { return v; });
 }
 
 HalfImage shares(const edge::EdgeImage& image) {
-    return {mapped<std::uint8_t, float>(
-        image, [](std::uint8_t v) { return static_cast<float>(v) / 255; })};
+    return {core::mapped<float>(image, [](std::uint8_t v) { return static_cast<float>(v) / 255; })};
 }
 
 /// Rows of the matrix for row vectors: p * matrix is p in view space, which looks along -z.

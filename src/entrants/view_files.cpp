@@ -149,15 +149,11 @@ void write_buffers_exr(const ViewBuffers& buffers, const std::filesystem::path& 
 /// Writes the object ids as an 8-bit RGB PNG: red + 256 green + 65536 blue is the object id + 1, 0
 /// for the sky. Throws core::Error if the file cannot be written.
 void write_object_ids(const ViewBuffers& buffers, const std::filesystem::path& path) {
-    core::Image<image_io::Rgb> image(buffers.object.width_px(), buffers.object.height_px());
-    std::transform(buffers.object.data(),
-                   buffers.object.data() + buffers.object.size(),
-                   image.data(),
-                   [](std::uint32_t object) {
-                       const std::uint32_t code = object + 1;  // kNoId becomes 0
-                       return image_io::Rgb(code & 0xff, code >> 8 & 0xff, code >> 16 & 0xff);
-                   });
-    image_io::write_png(image, path);
+    const auto color_of = [](std::uint32_t object) {
+        const std::uint32_t code = object + 1;  // kNoId becomes 0
+        return image_io::Rgb(code & 0xff, code >> 8 & 0xff, code >> 16 & 0xff);
+    };
+    image_io::write_png(core::mapped<image_io::Rgb>(buffers.object, color_of), path);
 }
 
 }  // namespace

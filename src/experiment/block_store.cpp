@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <regex>
 #include <sstream>
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/parse_number.h"
 #include "core/whole_file.h"
 #include "harness/out_folder.h"
 #include "methods/toml_reader.h"
@@ -124,9 +124,7 @@ std::vector<std::size_t> BlockStore::indices() const {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(blocks_, ignored)) {
         const std::string name = entry.path().filename().string();
-        std::size_t index = 0;
-        const auto [end, status] = std::from_chars(name.data(), name.data() + name.size(), index);
-        if (status == std::errc{} && end == name.data() + name.size()) found.push_back(index);
+        if (const auto index = core::parse_number<std::size_t>(name)) found.push_back(*index);
     }
     std::sort(found.begin(), found.end());
     return found;

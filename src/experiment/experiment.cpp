@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "entrants/entrant.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {
-namespace {
-
-bool parse_whole(std::string_view text, int& value) {
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return status == std::errc{} && end == text.data() + text.size();
-}
-
-}  // namespace
 
 std::string_view name(ExperimentKind kind) {
     switch (kind) {
@@ -37,21 +29,19 @@ std::string_view name(ExperimentKind kind) {
 
 ImageSize parse_image_size(const std::string& text, const std::string& where) {
     const auto x = text.find('x');
-    ImageSize size;
-    const bool is_pair = x != std::string::npos &&
-                         parse_whole(std::string_view(text).substr(0, x), size.width_px) &&
-                         parse_whole(std::string_view(text).substr(x + 1), size.height_px);
-    if (!is_pair) {
+    const auto width_px = core::parse_number<int>(text.substr(0, x));
+    const auto height_px = core::parse_number<int>(text.substr(x + 1));
+    if (x == std::string::npos || !width_px || !height_px) {
         throw core::Error(where,
                           fmt::format("'{}' is no size", text),
                           "WIDTHxHEIGHT in pixels, such as 1280x720");
     }
     try {
-        harness::check_size(size.width_px, size.height_px);
+        harness::check_size(*width_px, *height_px);
     } catch (const core::Error& error) {
         throw core::Error(where, error.what_happened(), error.accepted());
     }
-    return size;
+    return {*width_px, *height_px};
 }
 
 std::vector<std::string> scenes_called(const std::string& name) {

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/named.h"
 #include "core/parallel.h"
 #include "core/provenance.h"
 #include "core/whole_file.h"
@@ -64,9 +65,7 @@ int Plan::cells() const {
 }
 
 void RunHead::add_table(const harness::TableInfo& table) {
-    const bool is_there = std::any_of(
-        tables.begin(), tables.end(), [&](const RecordedTable& t) { return t.name == table.file; });
-    if (is_there) return;
+    if (core::find_named(tables, table.file) != nullptr) return;
     std::string columns = harness::heading(table);
     columns.pop_back();  // its line break
     tables.push_back({table.file, std::move(columns)});

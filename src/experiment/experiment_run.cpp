@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/parse_number.h"
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/block_work.h"
@@ -45,15 +45,10 @@ void write_files(const Plan& plan, const fs::path& folder) {
 
 Shard parse_shard(const std::string& text) {
     Shard shard;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, shard.i);
-    bool is_good = first.ec == std::errc{} && first.ptr < end && *first.ptr == '/';
-    if (is_good) {
-        const auto second = std::from_chars(first.ptr + 1, end, shard.n);
-        is_good = second.ec == std::errc{} && second.ptr == end && shard.n >= 1 &&
-                  shard.n <= kMostShards && shard.i >= 1 && shard.i <= shard.n;
-    }
-    if (!is_good) {
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    shard.i = core::parse_number<int>(text.substr(0, slash)).value_or(0);
+    shard.n = core::parse_number<int>(text.substr(std::min(slash + 1, text.size()))).value_or(0);
+    if (shard.i < 1 || shard.i > shard.n || shard.n > kMostShards) {
         throw core::Error(
             "--shard", fmt::format("'{}' is no shard", text), "i/n with 1 <= i <= n, such as 2/4");
     }

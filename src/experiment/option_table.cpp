@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <stdexcept>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "core/named.h"
+#include "core/parse_number.h"
 #include "entrants/entrant.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
@@ -33,13 +34,6 @@ constexpr unsigned kAll = kCompare | kStress | kAnimation | kBound;
 
 constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
-Texts names_of(const auto& infos) {
-    Texts names;
-    for (const auto& info : infos)
-        names.emplace_back(info.name);
-    return names;
-}
-
 /// Adds names that are not there yet.
 void add_new(const Texts& names, Texts& all) {
     for (const std::string& name : names) {
@@ -49,7 +43,7 @@ void add_new(const Texts& names, Texts& all) {
 
 void check_scene(const core::GivenText& scene) {
     Texts known = {"catalogue", "train", "heldout"};
-    add_new(names_of(catalogue::catalogue()), known);
+    add_new(core::names_of(catalogue::catalogue()), known);
     if (std::find(known.begin(), known.end(), scene.text) != known.end()) return;
     std::error_code error;  // a name that is too long is no file either
     if (std::filesystem::is_regular_file(scene.text, error)) return;
@@ -71,7 +65,7 @@ void read_methods(Experiment& experiment, const Given& methods) {
     experiment.methods.clear();
     for (const core::GivenText& method : methods) {
         at_place(method.where, [&] {
-            add_new(method.text == "all" ? names_of(methods::registry())
+            add_new(method.text == "all" ? core::names_of(methods::registry())
                                          : Texts{methods::find_method(method.text).name},
                     experiment.methods);
         });
@@ -190,7 +184,7 @@ OptionTable make_table() {
         "Where a smooth surface has seams: between objects of a model file, or between their "
         "materials, too");
     in(kStress, "--axes,--axis", "axis").texts(
-        {.name = "grid.axes", .kind = Kind::list, .choices = names_of(studies::stress_axes()),
+        {.name = "grid.axes", .kind = Kind::list, .choices = core::names_of(studies::stress_axes()),
          .unit = "AXES", .doc = "Axes a,b or globs (default: all; see inkbench list axes)"},
         read_names<&E::axes>, names_text<&E::axes>);
     in(kStress, "--points").number(
@@ -228,7 +222,7 @@ OptionTable make_table() {
         "neither required nor penalised), or all");
     in(kCompare, "--no-skip", "skip").texts(
         {.name = "measure.skips_off", .kind = Kind::list,
-         .choices = names_of(raster::skip_infos()), .unit = "SKIPS",
+         .choices = core::names_of(raster::skip_infos()), .unit = "SKIPS",
          .doc = "Disable these optimisations, a,b or all (see inkbench list skips): other times, "
                 "the same images"},
         read_names<&E::skips_off>, names_text<&E::skips_off>);
@@ -274,10 +268,9 @@ OptionTable make_table() {
 
 std::size_t OptionTable::row(std::string_view name) const {
     const auto& params = rows.params();
-    const auto found = std::find_if(
-        params.begin(), params.end(), [&](const core::Param& p) { return p.name == name; });
-    if (found == params.end()) throw std::out_of_range(std::string(name));
-    return static_cast<std::size_t>(found - params.begin());
+    const core::Param* found = core::find_named(params, name);
+    if (found == nullptr) throw std::out_of_range(std::string(name));
+    return static_cast<std::size_t>(found - params.data());
 }
 
 std::vector<std::string> OptionTable::texts(const Experiment& experiment, std::size_t row) const {
@@ -315,15 +308,13 @@ void set_option(Experiment& experiment,
 }
 
 std::uint64_t parse_seed(const core::GivenText& given) {
-    std::uint64_t seed = 0;
-    const char* last = given.text.data() + given.text.size();
-    const auto [end, status] = std::from_chars(given.text.data(), last, seed);
-    if (status != std::errc{} || end != last) {
+    const auto seed = core::parse_number<std::uint64_t>(given.text);
+    if (!seed) {
         throw core::Error(given.where,
                           fmt::format("'{}' is no seed", given.text),
                           "a whole number 0..18446744073709551615");
     }
-    return seed;
+    return *seed;
 }
 
 }  // namespace ink::experiment

@@ -18,10 +18,7 @@ namespace ink::harness {
 namespace {
 
 edge::EdgeImage full_response(const core::Image<std::uint8_t>& labels) {
-    edge::EdgeImage image(labels.width_px(), labels.height_px());
-    const auto full = [](std::uint8_t label) { return label != 0 ? 255 : 0; };
-    std::transform(labels.data(), labels.data() + labels.size(), image.data(), full);
-    return image;
+    return core::mapped<std::uint8_t>(labels, [](int label) { return label != 0 ? 255 : 0; });
 }
 
 /// Each view has random images of its own; the same of a seed, whatever else takes part.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "core/whole_file.h"
 #include "methods/method_file.h"
 #include "methods/presets.h"
@@ -44,8 +45,7 @@ void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
 /// Whether a registered method is itself a preset: `inkbench tune` gives that name, too.
 bool is_shipped(const std::string& name) {
     const auto shipped = methods::shipped_presets();
-    return std::any_of(
-        shipped.begin(), shipped.end(), [&](const auto& preset) { return preset.name == name; });
+    return core::find_named(shipped, name) != nullptr;
 }
 
 }  // namespace
@@ -66,10 +66,7 @@ Setting parse_setting(const std::string& text) {
 }
 
 const core::Param* find_param(const method::MethodInfo& info, std::string_view key) {
-    for (const core::Param& param : info.params) {
-        if (param.name == key) return &param;
-    }
-    return nullptr;
+    return core::find_named(info.params, key);
 }
 
 const core::Param* param_of(const Setting& setting, const MethodConfig& config) {
@@ -119,9 +116,7 @@ MethodConfig preset_config(const std::filesystem::path& file) {
     if (!text) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
     const std::vector<method::MethodInfo>& bases = methods::registry();
     const methods::Preset preset = methods::parse_preset(*text, file.string(), bases);
-    const bool is_taken = std::any_of(
-        bases.begin(), bases.end(), [&](const auto& info) { return info.name == preset.name; });
-    if (is_taken && !is_shipped(preset.name)) {
+    if (core::find_named(bases, preset.name) != nullptr && !is_shipped(preset.name)) {
         throw core::Error(file.string(),
                           fmt::format("there is a method '{}' already", preset.name),
                           "a name of its own");
@@ -163,11 +158,9 @@ std::vector<MethodConfig> make_configs(const std::string& methods,
 }
 
 bool takes_one_sample(const std::string& method) {
-    const auto& all = methods::registry();
-    return std::any_of(all.begin(), all.end(), [&](const method::MethodInfo& info) {
-        return info.name == method && info.family != method::Family::edges_and_hulls &&
-               info.family != method::Family::other;
-    });
+    const method::MethodInfo* info = core::find_named(methods::registry(), method);
+    return info != nullptr && info->family != method::Family::edges_and_hulls &&
+           info->family != method::Family::other;
 }
 
 }  // namespace ink::harness

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/error.h"
+#include "core/named.h"
 #include "core/param.h"
 
 namespace ink::harness {
@@ -20,12 +19,9 @@ raster::SkipSet without_skips(raster::SkipSet allowed, const std::vector<std::st
             allowed = raster::SkipSet::none();
             continue;
         }
-        const auto found = std::find_if(
-            infos.begin(), infos.end(), [&](const auto& info) { return info.name == name; });
-        if (found == infos.end()) {
-            std::vector<std::string> known;
-            for (const raster::SkipInfo& info : infos)
-                known.emplace_back(info.name);
+        const raster::SkipInfo* found = core::find_named(infos, name);
+        if (found == nullptr) {
+            std::vector<std::string> known = core::names_of(infos);
             known.emplace_back("all");
             throw core::Error("--no-skip",
                               fmt::format("there is no skip '{}'", name),

@@ -9,6 +9,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "core/param.h"
 #include "scene/animation.h"
 #include "scene/framing.h"
@@ -23,8 +24,7 @@ constexpr double kMargin = 0.04;
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 bool is_catalogue_name(const std::string& what) {
-    const auto& entries = catalogue::catalogue();
-    return std::any_of(entries.begin(), entries.end(), [&](auto& e) { return e.name == what; });
+    return core::find_named(catalogue::catalogue(), what) != nullptr;
 }
 
 scene::Camera make_camera(const CameraRequest& request,

@@ -67,33 +67,19 @@ std::vector<std::uint32_t> objects_of(const scene::Scene& scene) {
 
 Rgb object_layer(const truth::Layers& layers, const scene::Scene& scene) {
     const std::vector<std::uint32_t> objects = objects_of(scene);
-    Rgb image(layers.triangle.width_px(), layers.triangle.height_px());
-    std::transform(layers.triangle.data(),
-                   layers.triangle.data() + layers.triangle.size(),
-                   image.data(),
-                   [&](std::uint32_t triangle) {
-                       return colour_of(triangle < objects.size() ? objects[triangle] : triangle);
-                   });
-    return image;
+    return core::mapped<glm::u8vec3>(layers.triangle, [&](std::uint32_t triangle) {
+        return colour_of(triangle < objects.size() ? objects[triangle] : triangle);
+    });
 }
 
 Rgb patch_layer(const truth::Layers& layers) {
-    Rgb image(layers.patch.width_px(), layers.patch.height_px());
-    std::transform(
-        layers.patch.data(), layers.patch.data() + layers.patch.size(), image.data(), colour_of);
-    return image;
+    return core::mapped<glm::u8vec3>(layers.patch, colour_of);
 }
 
 Gray facing_layer(const truth::Layers& layers) {
-    Gray image(layers.n_dot_v.width_px(), layers.n_dot_v.height_px());
-    std::transform(
-        layers.n_dot_v.data(),
-        layers.n_dot_v.data() + layers.n_dot_v.size(),
-        image.data(),
-        [](float n_dot_v) {
-            return static_cast<std::uint8_t>(std::lround(255 * std::clamp(n_dot_v, 0.0f, 1.0f)));
-        });
-    return image;
+    return core::mapped<std::uint8_t>(layers.n_dot_v, [](float n_dot_v) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(n_dot_v, 0.0f, 1.0f)));
+    });
 }
 
 /// none and oracle are blank and the truth itself.

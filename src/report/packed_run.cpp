@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 
 #include "core/image.h"
 #include "core/parallel.h"
+#include "core/parse_number.h"
 #include "draw/error_image.h"
 #include "harness/tables/csv_table.h"
 #include "harness/view_images.h"
@@ -29,10 +29,8 @@ std::optional<std::string> json_value(const std::string& field) {
     if (field.empty() || field == "nan") return "null";
     if (field == "true" || field == "false") return field;
     if (field == "inf" || field == "-inf") return json_text(field);
-    double value = 0;
-    const char* end = field.data() + field.size();
-    const auto [at, error] = std::from_chars(field.data(), end, value);
-    const bool is_number = error == std::errc() && at == end && std::isfinite(value);
+    const auto value = core::parse_number<double>(field);
+    const bool is_number = value && std::isfinite(*value);
     const bool is_plain = field.find_first_not_of("0123456789") == std::string::npos;
     // JSON has no numbers that begin with 0 and a digit: these are a code.
     const std::size_t first = field.front() == '-' ? 1 : 0;
@@ -92,11 +90,8 @@ constexpr std::array kFactors = {1, 2, 4, 8};
 using AtFactors = std::array<std::string, kFactors.size()>;
 
 Codes codes_of(const draw::Marks& marks) {
-    Codes codes(marks.width_px(), marks.height_px());
-    std::transform(marks.data(), marks.data() + marks.size(), codes.data(), [](draw::Mark mark) {
-        return static_cast<std::uint8_t>(mark);
-    });
-    return codes;
+    return core::mapped<std::uint8_t>(
+        marks, [](draw::Mark mark) { return static_cast<std::uint8_t>(mark); });
 }
 
 /// The PNGs of an image, from the factor of index `first` on.

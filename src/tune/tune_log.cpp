@@ -10,18 +10,12 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "core/system_reason.h"
 #include "core/whole_file.h"
 
 namespace ink::tune {
 namespace {
-
-std::optional<double> parse_number(std::string_view text) {
-    double value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = status == std::errc{} && end == text.data() + text.size();
-    return is_number ? std::optional(value) : std::nullopt;
-}
 
 std::vector<std::string_view> fields_of(std::string_view line) {
     std::vector<std::string_view> fields;
@@ -54,13 +48,14 @@ std::optional<std::vector<score::CurveCount>> parse_counts(std::string_view text
 std::optional<std::pair<std::string, TuneValue>> parse_line(std::string_view line) {
     const std::vector<std::string_view> fields = fields_of(line);
     if (fields.size() != 5) return std::nullopt;
-    const auto value = parse_number(fields[1]);
-    const auto error = parse_number(fields[2]);
+    const auto value = core::parse_number<double>(fields[1]);
+    const auto error = core::parse_number<double>(fields[2]);
     const auto by_view = parse_counts(fields[4]);
     if (!value || !error || !by_view) return std::nullopt;
-    TuneValue found{.value = *value, .error = *error, .draw_ms = parse_number(fields[3])};
-    found.by_view = *by_view;
-    return std::pair(std::string(fields[0]), std::move(found));
+    const auto draw_ms = core::parse_number<double>(fields[3]);
+    return std::pair(
+        std::string(fields[0]),
+        TuneValue{.value = *value, .error = *error, .draw_ms = draw_ms, .by_view = *by_view});
 }
 
 std::string line_of(const std::string& settings, const TuneValue& value) {

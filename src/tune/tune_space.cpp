@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "harness/method_configs.h"
+#include "methods/toml_reader.h"
 
 namespace ink::tune {
 namespace {
@@ -19,28 +20,14 @@ constexpr double kSymLogWidth = 1000;
 /// Of a flag or choice, so that the last one has as much room as the others.
 constexpr double kAlmostOne = 1 - 1e-9;
 
-const core::Param& find_param(const method::MethodInfo& method, const std::string& name) {
-    core::check_known_params(method.params, {{name, ""}}, "--params");
-    return *std::find_if(method.params.begin(), method.params.end(), [&](const auto& param) {
-        return param.name == name;
-    });
-}
-
-std::optional<double> parse_number(std::string_view text) {
-    double value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = status == std::errc{} && end == text.data() + text.size();
-    return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 /// "low..high" into the parameter.
 void narrow(const std::string& range, TunedParameter& parameter) {
     const auto dots = range.find("..");
     std::optional<double> low;
     std::optional<double> high;
     if (dots != std::string::npos) {
-        low = parse_number(std::string_view(range).substr(0, dots));
-        high = parse_number(std::string_view(range).substr(dots + 2));
+        low = core::parse_number<double>(std::string_view(range).substr(0, dots));
+        high = core::parse_number<double>(std::string_view(range).substr(dots + 2));
     }
     const core::Param& param = parameter.param;
     if (!param.is_number() || !low || !high || !(*low < *high) || *low < param.min ||
@@ -79,11 +66,11 @@ double straight(ParameterScale scale, double value) {
 double rounded(double value, bool is_down) {
     if (value == 0) return 0;
     std::string text = fmt::format("{:.{}e}", value, kDigits - 1);
-    double result = *parse_number(text);
+    double result = *core::parse_number<double>(text);
     if (is_down && std::abs(result) > std::abs(value)) {
         const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - kDigits + 1);
         text = fmt::format("{:.{}e}", value - std::copysign(step, value) / 2, kDigits - 1);
-        result = *parse_number(text);
+        result = *core::parse_number<double>(text);
     }
     return result;
 }
@@ -135,7 +122,7 @@ TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& parame
         if (has(name)) {
             throw core::Error("--params", fmt::format("'{}' is named twice", name), "each once");
         }
-        const core::Param& param = find_param(method, name);
+        const core::Param& param = methods::param_of(method.params, name, "--params");
         TunedParameter parameter{param, param.min, param.max, ParameterScale::linear};
         if (equals != std::string::npos) narrow(text.substr(equals + 1), parameter);
         parameter.scale = scale_of(parameter, is_limited(name));

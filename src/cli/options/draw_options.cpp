@@ -3,54 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "cli/name_list.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "experiment/option_table.h"
 #include "harness/method_configs.h"
 
 namespace ink::cli {
 namespace {
 
-/// All of `text` as a whole number 0..255.
-std::optional<std::uint8_t> parse_byte(std::string_view text, int base) {
-    std::uint8_t value = 0;
-    const char* last = text.data() + text.size();
-    const auto [end, status] = std::from_chars(text.data(), last, value, base);
-    if (status != std::errc{} || end != last) return std::nullopt;
-    return value;
-}
-
-std::optional<glm::u8vec3> parse_hex_color(std::string_view text) {
-    if (text.size() != 7 || text[0] != '#') return std::nullopt;
-    glm::u8vec3 color{0};
-    for (int c = 0; c < 3; ++c) {
-        const auto byte = parse_byte(text.substr(static_cast<std::size_t>(1 + 2 * c), 2), 16);
-        if (!byte) return std::nullopt;
-        color[c] = *byte;
-    }
-    return color;
-}
-
-std::optional<glm::u8vec3> parse_listed_color(const std::string& text) {
-    const std::vector<std::string> parts = harness::split_list(text);
-    if (parts.size() != 3) return std::nullopt;
-    glm::u8vec3 color{0};
-    for (int c = 0; c < 3; ++c) {
-        const auto byte = parse_byte(parts[static_cast<std::size_t>(c)], 10);
-        if (!byte) return std::nullopt;
-        color[c] = *byte;
-    }
-    return color;
-}
-
 /// Nothing for text that was not given.
 std::optional<glm::u8vec3> parse_color(const std::string& text, const char* option) {
     if (text.empty()) return std::nullopt;
-    const auto color = text[0] == '#' ? parse_hex_color(text) : parse_listed_color(text);
-    if (!color) {
+    const bool is_hex = text.size() == 7 && text[0] == '#';
+    const std::vector<std::string> parts =
+        is_hex ? std::vector{text.substr(1, 2), text.substr(3, 2), text.substr(5, 2)}
+               : harness::split_list(text);
+    glm::u8vec3 color{0};
+    bool is_color = parts.size() == 3;
+    for (int c = 0; is_color && c < 3; ++c) {
+        const auto byte =
+            core::parse_number<std::uint8_t>(parts[static_cast<std::size_t>(c)], is_hex ? 16 : 10);
+        color[c] = byte.value_or(0);
+        is_color = byte.has_value();
+    }
+    if (!is_color) {
         throw core::Error(option,
                           fmt::format("'{}' is no colour", text),
                           "R,G,B with whole numbers 0..255, or #rrggbb");

@@ -4,6 +4,7 @@
 
 #include "cli/name_list.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "methods/registry.h"
 
 namespace ink::cli {
@@ -36,10 +37,7 @@ void add_one_method_option(CLI::App& command,
 }
 
 std::vector<std::string> method_words() {
-    std::vector<std::string> names;
-    for (const method::MethodInfo& info : methods::registry())
-        names.push_back(info.name);
-    return names;
+    return core::names_of(methods::registry());
 }
 
 std::string method_list(const std::vector<std::string>& texts) {

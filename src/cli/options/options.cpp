@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -13,6 +12,7 @@
 #include "cli/name_list.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/parse_number.h"
 #include "core/progress.h"
 #include "harness/method_configs.h"
 
@@ -23,19 +23,13 @@ constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kFov_deg = 40;  // of a camera that is set by hand
 constexpr double kMostMargin = 0.45;
 
-template <class T>
-bool parse_whole(std::string_view text, T& value) {
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return status == std::errc{} && end == text.data() + text.size();
-}
-
 glm::dvec3 parse_point(const std::string& text, const std::string& option) {
     const std::vector<std::string> parts = harness::split_list(text);
     glm::dvec3 point{0};
     bool is_point = parts.size() == 3;
     for (int i = 0; is_point && i < 3; ++i) {
-        is_point = parse_whole<double>(parts[static_cast<std::size_t>(i)], point[i]) &&
-                   std::isfinite(point[i]);
+        point[i] = core::parse_number<double>(parts[static_cast<std::size_t>(i)]).value_or(NAN);
+        is_point = std::isfinite(point[i]);
     }
     if (!is_point) {
         throw core::Error(option, fmt::format("'{}' is no point", text), "X,Y,Z");
@@ -232,8 +226,8 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     if (options.views == "file") {
         request.file_cameras = true;
     } else if (!options.views.empty()) {
-        int count = 0;
-        if (!parse_whole(options.views, count) || count < 1 || count > 360) {
+        const int count = core::parse_number<int>(options.views).value_or(0);
+        if (count < 1 || count > 360) {
             throw core::Error("--views",
                               fmt::format("'{}' is no number of views", options.views),
                               "1..360, or 'file'");

@@ -9,6 +9,7 @@
 #include "catalogue/catalogue.h"
 #include "cli/name_list.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "experiment/experiment.h"
 
 namespace ink::cli {
@@ -17,13 +18,6 @@ namespace {
 constexpr const char* kGroups[] = {"train", "heldout", "catalogue"};
 constexpr const char* kType = "SCENES";
 constexpr const char* kOneType = "SCENE";
-
-std::vector<std::string> built_in() {
-    std::vector<std::string> names;
-    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
-        names.push_back(entry.name);
-    return names;
-}
 
 bool is_file(const std::string& text) {
     std::error_code ignored;
@@ -42,7 +36,7 @@ std::vector<std::string> files_fitting(const std::string& pattern) {
 /// Adds what one part of a list means.
 void add_part(const std::string& part, const Names& names, NameList& list) {
     if (is_glob(part)) {
-        std::vector<std::string> found = fitting(part, built_in());
+        std::vector<std::string> found = fitting(part, core::names_of(catalogue::catalogue()));
         if (found.empty()) found = files_fitting(part);
         if (found.empty()) refuse_name(names, part);
         for (const std::string& name : found)
@@ -106,7 +100,7 @@ void add_one_scene_options(CLI::App& command, SceneOptions& options) {
 }
 
 std::vector<std::string> scene_words() {
-    std::vector<std::string> words = built_in();
+    std::vector<std::string> words = core::names_of(catalogue::catalogue());
     words.insert(words.end(), std::begin(kGroups), std::end(kGroups));
     return words;
 }

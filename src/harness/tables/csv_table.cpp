@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 
 namespace ink::harness {
 namespace {
@@ -35,9 +35,9 @@ std::vector<std::string> take_record(std::string_view text, std::size_t& at, boo
 
 template <class T>
 void read_number(const CsvField& field, const std::string& raw, T& value, const char* accepted) {
-    const char* end = raw.data() + raw.size();
-    const auto [stop, status] = std::from_chars(raw.data(), end, value);
-    if (status != std::errc{} || stop != end) field.refuse(accepted);
+    const auto number = core::parse_number<T>(raw);
+    if (!number) field.refuse(accepted);
+    value = *number;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/named.h"
 #include "harness/cell.h"
 #include "harness/tables/table_of.h"
 
@@ -72,11 +73,8 @@ std::string tunables_of(const method::MethodInfo& method) {
     const std::vector<method::Tunable> threshold = {{"threshold"}};
     std::vector<std::string> texts;
     for (const auto& tunable : method.tunables.empty() ? threshold : method.tunables) {
-        const auto param =
-            std::find_if(method.params.begin(), method.params.end(), [&](const auto& each) {
-                return each.name == tunable.param;
-            });
-        if (param == method.params.end()) continue;
+        const core::Param* param = core::find_named(method.params, tunable.param);
+        if (param == nullptr) continue;
         texts.push_back(fmt::format("{}:{}", param->name, range_of(*param, tunable)));
     }
     return fmt::format("{}", fmt::join(texts, ";"));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "harness/tables/csv.h"
 #include "harness/tables/csv_table.h"
 #include "harness/tables/table.h"
@@ -185,11 +186,10 @@ class TableOf {
     template <class Base>
     void add_like(const TableOf<Base>& other, const std::string& name) {
         const auto& columns = other.info_.columns;
-        const auto at = std::find_if(
-            columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
-        if (at == columns.end())
+        const Column* at = core::find_named(columns, name);
+        if (at == nullptr)
             throw core::Error(other.info_.file, "it has no column " + name, heading(other.info_));
-        const auto i = static_cast<std::size_t>(at - columns.begin());
+        const auto i = static_cast<std::size_t>(at - columns.data());
         add(*at, other.writers_[i], other.readers_[i]);
     }
 

@@ -1,18 +1,16 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "studies/stress/stress_cases.h"
 
 namespace ink::studies {
 
 const Axis& find_stress_axis(const std::string& name) {
-    std::vector<std::string> names;
-    for (const Axis& axis : stress_axes()) {
-        if (axis.name == name) return axis;
-        names.push_back(axis.name);
-    }
-    throw core::Error(
-        "--axes", fmt::format("there is no axis '{}'", name), core::known_names(names, name));
+    if (const Axis* axis = core::find_named(stress_axes(), name)) return *axis;
+    throw core::Error("--axes",
+                      fmt::format("there is no axis '{}'", name),
+                      core::known_names(core::names_of(stress_axes()), name));
 }
 
 const std::vector<Axis>& stress_axes() {

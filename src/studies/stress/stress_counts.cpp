@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "buffers/full_buffers.h"
+#include "core/named.h"
 #include "raster/pass/pass.h"
 #include "scene/box.h"
 #include "scene/surface.h"
@@ -85,13 +86,6 @@ bool fits_its_bits(const method::LinearCode& code) {
     return least >= -0.5 && most < std::ldexp(1, code.bits) - 0.5;
 }
 
-const method::Layer* find_packed(const std::vector<method::Layer>& layers) {
-    for (const method::Layer& layer : layers) {
-        if (layer.name == "packed") return &layer;
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 CaseFaults count_inputs(const scene::Scene& scene, const scene::View& view) {
@@ -144,8 +138,8 @@ std::int64_t count_overflow(method::Method& method,
     other->pose(scene);
     const std::vector<method::Layer> own_layers = method.layers(frame);
     const std::vector<method::Layer> other_layers = other->layers(frame);
-    const method::Layer* a = find_packed(own_layers);
-    const method::Layer* b = find_packed(other_layers);
+    const method::Layer* a = core::find_named(own_layers, "packed");
+    const method::Layer* b = core::find_named(other_layers, "packed");
     if (a == nullptr || b == nullptr) return 0;
     std::int64_t count = 0;
     for (std::size_t i = 0; i < a->rgb.size(); ++i)
