@@ -109,14 +109,11 @@ class Canny : public buffers::SurfaceMethod<buffers::SurfacePass> {
     /// operator.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         edge::EdgeImage lines(frame.view.width_px, frame.view.height_px);
-        method::Layer layer{"packed", {lines.width_px(), lines.height_px()}};
-        if (pass().is_empty() || lines.is_empty()) return {std::move(layer)};
+        if (pass().is_empty() || lines.is_empty())
+            return {{"packed", {lines.width_px(), lines.height_px()}}};
         (void)draw_lines(frame, lines);
-        std::transform(
-            codes_.data(), codes_.data() + codes_.size(), layer.rgb.data(), [](std::uint8_t code) {
-                return glm::u8vec3(code);
-            });
-        return {std::move(layer)};
+        const auto gray = [](std::uint8_t code) { return glm::u8vec3(code); };
+        return {{"packed", core::mapped<glm::u8vec3>(codes_, gray)}};
     }
     /// The whole image of codes beside the tile's.
     [[nodiscard]] int bytes_per_px() const override { return SurfaceMethod::bytes_per_px() + 1; }

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <utility>
 
+#include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
 #include "scene/near_points.h"
 #include "scene/precision/rounding.h"
-#include "scene/surface.h"
 #include "scene/topology.h"
 
 namespace ink::methods {
@@ -176,35 +176,12 @@ class Builder {
             mesh_.faces[f].patch = sets.root(f);
     }
 
-    using Places = std::array<std::array<double, 3>, 3>;
-
-    [[nodiscard]] static Places places_of(const std::array<glm::dvec3, 3>& corners) {
-        Places places;
-        for (std::size_t i = 0; i < 3; ++i)
-            places[i] = {corners[i].x, corners[i].y, corners[i].z};
-        std::sort(places.begin(), places.end());
-        return places;
-    }
-
     void map_triangles() {
         mesh_.face_of_triangle.assign(scene::triangle_count(scene_), kNoNeighbour);
         for (std::uint32_t f = 0; f < topology_.faces.size(); ++f)
             mesh_.face_of_triangle[topology_.faces[f].triangle] = f;
-        if (topology_.counts.duplicate == 0) return;
-        std::map<Places, std::uint32_t> face_at;
-        const auto& p = mesh_.p_world;
-        for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
-            const auto& v = mesh_.faces[f].vertices;
-            face_at.emplace(places_of({p[v[0]], p[v[1]], p[v[2]]}), f);
-        }
-        const scene::Surface surface = scene::flatten(scene_);
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-            if (mesh_.face_of_triangle[t] != kNoNeighbour) continue;
-            const auto& v = surface.triangles[t];
-            const auto at = [&](std::size_t i) { return surface.p_world[v[i]] + 0.0; };
-            const auto found = face_at.find(places_of({at(0), at(1), at(2)}));
-            if (found != face_at.end()) mesh_.face_of_triangle[t] = found->second;
-        }
+        for (const auto& [triangle, face] : buffers::repeated_faces(scene_, topology_))
+            mesh_.face_of_triangle[triangle] = face;
     }
 
     const scene::Scene& scene_;

@@ -54,23 +54,16 @@ class PlaneDistance : public buffers::FullBufferMethod {
     void filter(const buffers::FullBufferFrame& frame,
                 const raster::Tile& tile,
                 edge::EdgeImage& out) const override {
-        buffers::TileFloats q_buffer;
-        std::array<buffers::TileFloats, 3> normal_buffers;
+        const buffers::CrossPlanes planes(tile, frame, params_.renormalise);
         buffers::TileFloats plane;
         buffers::TileFloats plane_cross;
-        buffers::TileFloats turn;
-        const buffers::TilePlane q =
-            buffers::inverse_distance(tile, frame.carrier, frame.range, q_buffer);
-        const std::array<buffers::TilePlane, 3> normals =
-            buffers::view_normals(tile, params_.renormalise, normal_buffers);
-        plane_distances(tile, frame.rays, q, normals, plane);
+        plane_distances(tile, frame.rays, planes.q, planes.normals, plane);
         buffers::half_cross(tile, buffers::TilePlane(plane), plane_cross);
-        buffers::normal_cross(tile, normals, turn);
         const float per_plane = 1 / static_cast<float>(params_.plane_step);
         const auto step_ratio = [&](int x, int y, const buffers::CrossRange& near) {
             return plane_cross.row(y)[x] * near.most * per_plane;
         };
-        buffers::write_cross(tile, q, turn, params_.normal_step, step_ratio, out);
+        buffers::write_cross(tile, planes, params_.normal_step, step_ratio, out);
     }
     /// 1/w from depth; n . p from that and the normal; a cross over each of four planes.
     [[nodiscard]] method::PixelBytes filter_bytes() const override {

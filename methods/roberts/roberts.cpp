@@ -82,25 +82,18 @@ class Roberts : public buffers::FullBufferMethod {
     void filter(const buffers::FullBufferFrame& frame,
                 const raster::Tile& tile,
                 edge::EdgeImage& out) const override {
-        buffers::TileFloats q_buffer;
-        std::array<buffers::TileFloats, 3> normal_buffers;
+        const buffers::CrossPlanes planes(tile, frame, params_.renormalise);
         buffers::TileFloats facing;
         buffers::TileFloats depth_cross;
-        buffers::TileFloats turn;
-        const buffers::TilePlane q =
-            buffers::inverse_distance(tile, frame.carrier, frame.range, q_buffer);
-        const std::array<buffers::TilePlane, 3> normals =
-            buffers::view_normals(tile, params_.renormalise, normal_buffers);
-        buffers::facing_ratio(tile, normals, frame.rays, facing);
-        buffers::half_cross(tile, q, depth_cross);
-        buffers::normal_cross(tile, normals, turn);
+        buffers::facing_ratio(tile, planes.normals, frame.rays, facing);
+        buffers::half_cross(tile, planes.q, depth_cross);
         const float per_depth = 1 / static_cast<float>(params_.depth_step);
         const auto step_ratio = [&](int x, int y, const buffers::CrossRange& near) {
             const float open = buffers::cross_range(facing.row(y) + x, facing.row(y + 1) + x).most;
             const float step = depth_cross.row(y)[x] / near.most;
             return guarded(step, open, frame.rays.per_px()) * per_depth;
         };
-        buffers::write_cross(tile, q, turn, params_.normal_step, step_ratio, out);
+        buffers::write_cross(tile, planes, params_.normal_step, step_ratio, out);
     }
     /// 1/w from depth; |n.v| from the normal, where a guard asks; a cross over each of four planes.
     [[nodiscard]] method::PixelBytes filter_bytes() const override {

@@ -10,19 +10,9 @@
 #include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {
-namespace {
-
-class Surface8 : public CodeMethod {
-  public:
-    using Params = SurfaceCodeParams;
-    static core::ParamTable<Params> table() { return surface_code_table(); }
-    explicit Surface8(const Params& params) : CodeMethod(params, surface_setup(params, 1)) {}
-};
-
-}  // namespace
 
 method::MethodInfo surface8_method() {
-    return method::method_info<Surface8>("surface8");
+    return method::method_info<SurfaceCodeMethod<1>>("surface8");
 }
 
 }  // namespace ink::methods

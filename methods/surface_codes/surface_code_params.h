@@ -56,4 +56,14 @@ struct SurfaceCodeParams : CodeParams {
     return setup;
 }
 
+/// What draws them.
+template <int kBytes>
+class SurfaceCodeMethod : public CodeMethod {
+  public:
+    using Params = SurfaceCodeParams;
+    static core::ParamTable<Params> table() { return surface_code_table(); }
+    explicit SurfaceCodeMethod(const Params& params)
+        : CodeMethod(params, surface_setup(params, kBytes)) {}
+};
+
 }  // namespace ink::methods

@@ -2,7 +2,10 @@
 // each, with weights orthogonal to each other, so that what cancels in one seldom cancels in the
 // other. Each has its Laplacian of four neighbours; the larger counts (buffers/packed_buffer.h).
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "buffers/packed_buffer.h"
@@ -10,14 +13,16 @@
 namespace ink::methods {
 namespace {
 
+/// Codes that depth and the normal's x, y and z span in a byte.
+using Spans = std::array<double, 4>;
+
 /// Ranges whose sum is never below 0, whatever their signs.
-buffers::Ranges ranges(double depth, const glm::dvec3& normal) {
-    buffers::Ranges ranges{.depth = depth, .normal = normal};
-    double lowest = std::min(0.0, depth);
-    for (int i = 0; i < 3; ++i)
-        lowest += std::min(0.0, normal[i]);
-    ranges.offset = std::ceil(-lowest);
-    return ranges;
+buffers::Ranges ranges(const Spans& spans) {
+    double lowest = 0;
+    for (const double span : spans)
+        lowest += std::min(0.0, span);
+    return {
+        .depth = spans[0], .normal = {spans[1], spans[2], spans[3]}, .offset = std::ceil(-lowest)};
 }
 
 class TwoSums : public buffers::PackedBuffer {
@@ -25,37 +30,34 @@ class TwoSums : public buffers::PackedBuffer {
     struct Params : buffers::PackParams {
         // found: experiments/thresholds.py, over the training scenes at 1280x720
         Params() { threshold = 18; }
-        double first_depth = 127;
-        double first_nx = 64;
-        double first_ny = 64;
-        double first_nz = 0;
-        double second_depth = 0;
-        double second_nx = 90;
-        double second_ny = -90;
-        double second_nz = 75;
+        Spans first{127, 64, 64, 0};
+        Spans second{0, 90, -90, 75};
     };
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
-        const auto add = [&](double Params::*field, const char* name, const char* what) {
-            table.number(field, name, {-255, 255}, "code", std::string("Codes of the ") + what);
-        };
-        add(&Params::first_depth, "first_depth", "first byte that depth 0..1 spans.");
-        add(&Params::first_nx, "first_nx", "first byte that the normal's x spans.");
-        add(&Params::first_ny, "first_ny", "first byte that the normal's y spans.");
-        add(&Params::first_nz, "first_nz", "first byte that the normal's z spans.");
-        add(&Params::second_depth, "second_depth", "second byte that depth 0..1 spans.");
-        add(&Params::second_nx, "second_nx", "second byte that the normal's x spans.");
-        add(&Params::second_ny, "second_ny", "second byte that the normal's y spans.");
-        add(&Params::second_nz, "second_nz", "second byte that the normal's z spans.");
+        constexpr const char* kChannels[][2] = {{"depth", "depth 0..1"},
+                                                {"nx", "the normal's x"},
+                                                {"ny", "the normal's y"},
+                                                {"nz", "the normal's z"}};
+        for (const auto& [byte, spans] :
+             {std::pair("first", &Params::first), {"second", &Params::second}}) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                table.number(
+                    [ spans = spans, i ](auto& of) -> auto& { return (of.*spans)[i]; },
+                    fmt::format("{}_{}", byte, kChannels[i][0]),
+                    {-255, 255},
+                    "code",
+                    fmt::format("Codes of the {} byte that {} spans.", byte, kChannels[i][1]));
+            }
+        }
         return buffers::add_pack_params(table, 255);
     }
     explicit TwoSums(const Params& params) : PackedBuffer(params, layout(params)) {}
 
   private:
     static buffers::CodeLayout layout(const Params& p) {
-        const auto first = ranges(p.first_depth, {p.first_nx, p.first_ny, p.first_nz});
-        const auto second = ranges(p.second_depth, {p.second_nx, p.second_ny, p.second_nz});
-        return {.planes = 2, .fields = {{.ranges = first}, {.ranges = second, .plane = 1}}};
+        return {.planes = 2,
+                .fields = {{.ranges = ranges(p.first)}, {.ranges = ranges(p.second), .plane = 1}}};
     }
 };
 

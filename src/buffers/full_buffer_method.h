@@ -72,16 +72,42 @@ struct CrossRange {
     return ratio >= 4 ? 255 : static_cast<std::uint8_t>(ratio * 64);
 }
 
+/// What a filter over full buffers is told of its frame.
+struct FullBufferFrame {
+    method::DepthCarrier carrier;
+    raster::DepthRange range;  ///< the distances that depth 1 and 0 stand for
+    PixelRays rays;
+};
+
+/// What a cross over distances and normals reads of a tile, halo included.
+class CrossPlanes {
+  public:
+    CrossPlanes(const raster::Tile& tile, const FullBufferFrame& frame, bool renormalise)
+        : q(inverse_distance(tile, frame.carrier, frame.range, q_buffer_)),
+          normals(view_normals(tile, renormalise, normal_buffers_)) {}
+    CrossPlanes(const CrossPlanes&) = delete;
+
+  private:
+    TileFloats q_buffer_;
+    std::array<TileFloats, 3> normal_buffers_;
+
+  public:
+    const TilePlane q;  ///< 1 / distance, 0 where nothing is
+    const std::array<TilePlane, 3> normals;
+};
+
 /// Writes a tile's edge responses: the larger of `step_ratio(x, y, range)`, by how much a step
 /// exceeds its threshold where 1/distance has that range, and of the normal's turn over
 /// `normal_step`. Against the sky, which is at no distance and has no plane, a line is full.
 template <class StepRatio>
 void write_cross(const raster::Tile& tile,
-                 const TilePlane& q,
-                 TileFloats& turn,
+                 const CrossPlanes& planes,
                  double normal_step,
                  const StepRatio& step_ratio,
                  edge::EdgeImage& out) {
+    const TilePlane& q = planes.q;
+    TileFloats turn;
+    normal_cross(tile, planes.normals, turn);
     const float per_turn = 1 / static_cast<float>(normal_step);
     for (int y = 0; y < tile.height_px; ++y) {
         std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
@@ -97,13 +123,6 @@ void write_cross(const raster::Tile& tile,
         }
     }
 }
-
-/// What a filter over full buffers is told of its frame.
-struct FullBufferFrame {
-    method::DepthCarrier carrier;
-    raster::DepthRange range;  ///< the distances that depth 1 and 0 stand for
-    PixelRays rays;
-};
 
 /// Appends the row `sky`.
 template <class P>

@@ -1,51 +1,17 @@
 #include "buffers/id_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/trigonometric.hpp>
-#include <map>
 #include <numeric>
 
+#include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
 #include "scene/precision/rounding.h"
-#include "scene/surface.h"
 #include "scene/topology.h"
 
 namespace ink::buffers {
 namespace {
-
-using Place = std::array<double, 3>;
-using Places = std::array<Place, 3>;
-
-Places places_of(const std::array<glm::dvec3, 3>& corners) {
-    Places places;
-    for (std::size_t i = 0; i < 3; ++i)
-        places[i] = {corners[i].x, corners[i].y, corners[i].z};
-    std::sort(places.begin(), places.end());
-    return places;
-}
-
-/// Joins each triangle that repeats a face with it: equally deep, either may be the one that is
-/// seen.
-void join_duplicates(const scene::Scene& scene,
-                     const scene::Topology& topology,
-                     core::DisjointSets& sets) {
-    std::map<Places, std::uint32_t> face_at;
-    std::vector<bool> is_face(scene::triangle_count(scene));
-    for (const scene::Face& face : topology.faces) {
-        is_face[face.triangle] = true;
-        const auto p = [&](std::size_t i) { return topology.p_world[face.vertices[i]]; };
-        face_at.emplace(places_of({p(0), p(1), p(2)}), face.triangle);
-    }
-    const scene::Surface surface = scene::flatten(scene);
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-        if (is_face[t]) continue;
-        const auto p = [&](std::size_t i) { return surface.p_world[surface.triangles[t][i]]; };
-        const auto found = face_at.find(places_of({p(0), p(1), p(2)}));
-        if (found != face_at.end()) sets.join(t, found->second);
-    }
-}
 
 std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
                                      bool over_objects,
@@ -61,7 +27,8 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
         if (scene::is_crease(topology, edge, faces[0], faces[1], options.crease_rad)) continue;
         sets.join(f.triangle, g.triangle);
     }
-    if (topology.counts.duplicate > 0) join_duplicates(scene, topology, sets);
+    for (const RepeatedFace& repeated : repeated_faces(scene, topology))
+        sets.join(repeated.triangle, topology.faces[repeated.face].triangle);
     std::vector<std::uint32_t> ids(scene::triangle_count(scene));
     for (std::uint32_t t = 0; t < ids.size(); ++t)
         ids[t] = sets.root(t);
