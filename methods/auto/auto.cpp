@@ -64,15 +64,15 @@ class Auto : public method::Method {
         return method::add_threshold(
             table, "Least edge response of a line pixel; a step as planned has 64.");
     }
-    explicit Auto(const Params& params) : params_(params) { replan({}); }
+    explicit Auto(const Params& params) : params_(params) { replan(scene::Scene{}); }
 
-    void prepare(const scene::Scene& scene) override {
+    void prepare(const scene::PreparedScene& scene) override {
         replan(scene);
         buffer_->prepare(scene);
     }
     /// Plans anew if anything moved: where components stand is part of the plan.
-    void pose(const scene::Scene& scene) override {
-        if (scene::scene_hash(scene) != planned_hash_) prepare(scene);
+    void pose(const scene::PreparedScene& scene) override {
+        if (scene.hash() != planned_hash_) prepare(scene);
         buffer_->pose(scene);
     }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
@@ -90,13 +90,13 @@ class Auto : public method::Method {
     [[nodiscard]] std::vector<method::PlanLine> plan() const override { return plan_.lines; }
 
   private:
-    void replan(const scene::Scene& scene) {
+    void replan(const scene::PreparedScene& scene) {
         const auto statistics =
             scene::make_scene_statistics(scene, glm::radians(params_.crease_deg));
         plan_ = make_plan(statistics, params_);
         buffer_ = std::make_unique<buffers::PackedBuffer>(plan_.applied_to(pack_params(params_)),
                                                           plan_.layout());
-        planned_hash_ = scene::scene_hash(scene);
+        planned_hash_ = scene.hash();
     }
 
     Params params_;

@@ -72,14 +72,14 @@ EdgeHash::EdgeHash(const Params& params)
                .most_frames = static_cast<std::size_t>(params.cached_frames),
                .crease_rad = glm::radians(params.crease_deg)}) {}
 
-void EdgeHash::prepare(const scene::Scene& scene) {
+void EdgeHash::prepare(const scene::PreparedScene& scene) {
     models_.prepare(scene);
     SurfaceMethod::prepare(scene);
     eye_world_.reset();
     before_world_.reset();
 }
 
-void EdgeHash::pose(const scene::Scene& scene) {
+void EdgeHash::pose(const scene::PreparedScene& scene) {
     models_.pose(scene);
     SurfaceMethod::pose(scene);
 }

@@ -40,9 +40,9 @@ class EdgeHash : public buffers::HiddenLinesMethod {
 
     explicit EdgeHash(const Params& params);
 
-    void prepare(const scene::Scene& scene) override;
+    void prepare(const scene::PreparedScene& scene) override;
     /// Finds the edges of frames that are new, and finds those again that are not.
-    void pose(const scene::Scene& scene) override;
+    void pose(const scene::PreparedScene& scene) override;
     /// `edges`: the debug_image, its counts in the note.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
 

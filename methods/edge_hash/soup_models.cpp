@@ -8,20 +8,9 @@
 
 #include "core/hash.h"
 #include "scene/predicates.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::methods {
 namespace {
-
-/// The edges of a soup whose points have this hash: a copy where several methods on a scene share
-/// their work.
-SoupEdges shared_edges(const Soup& soup, double epsilon, std::uint64_t hash) {
-    const auto make = [&] { return find_edges(soup, epsilon); };
-    scene::SharedWork* work = scene::SharedWork::current();
-    if (work == nullptr) return make();
-    const std::uint64_t triangles = core::Hasher().items(soup.triangles).result();
-    return work->get(fmt::format("soup edges {} {} {}", hash, triangles, epsilon), make);
-}
 
 /// The direction from the edge a-b to `opposite`, orthogonal to the edge.
 glm::dvec3 inward(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& opposite) {
@@ -71,7 +60,9 @@ void EdgeCache::make_room(Model& model) {
     ++counts_.dropped;
 }
 
-std::shared_ptr<const SoupEdges> EdgeCache::edges_of(std::size_t model, const Soup& soup) {
+std::shared_ptr<const SoupEdges> EdgeCache::edges_of(std::size_t model,
+                                                     const Soup& soup,
+                                                     const scene::PreparedScene& scene) {
     assert(model < models_.size());
     const std::uint64_t frame = core::Hasher().items(soup.points).result();
     Model& frames = models_[model];
@@ -84,7 +75,9 @@ std::shared_ptr<const SoupEdges> EdgeCache::edges_of(std::size_t model, const So
     }
     make_room(frames);
     ++counts_.built;
-    auto edges = std::make_shared<const SoupEdges>(shared_edges(soup, epsilon_, frame));
+    const std::uint64_t triangles = core::Hasher().items(soup.triangles).result();
+    auto edges = scene.get(fmt::format("soup edges {} {} {}", frame, triangles, epsilon_),
+                           [&] { return find_edges(soup, epsilon_); });
     frames[frame] = {edges, asked_};
     return edges;
 }
@@ -113,17 +106,17 @@ void SoupModels::find_creases(Placed& placed) const {
     }
 }
 
-void SoupModels::pose_objects(const scene::Scene& scene) {
+void SoupModels::pose_objects(const scene::PreparedScene& scene) {
     std::vector<std::shared_ptr<const SoupEdges>> soups;  // objects of one mesh share its frame
-    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-        const scene::Mesh& mesh = scene.meshes[m];
+    for (std::size_t m = 0; m < scene->meshes.size(); ++m) {
+        const scene::Mesh& mesh = scene->meshes[m];
         const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
-        soups.push_back(cache_.edges_of(m, {points, mesh.triangles}));
+        soups.push_back(cache_.edges_of(m, {points, mesh.triangles}, scene));
     }
-    placed_.resize(scene.instances.size());
+    placed_.resize(scene->instances.size());
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-        const scene::Instance& instance = scene.instances[i];
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const scene::Instance& instance = scene->instances[i];
+        const scene::Mesh& mesh = scene->meshes[instance.mesh];
         Placed& placed = placed_[i];
         placed.soup = soups[instance.mesh];
         placed.p_world.clear();
@@ -133,11 +126,11 @@ void SoupModels::pose_objects(const scene::Scene& scene) {
     }
 }
 
-void SoupModels::pose_scene(const scene::Scene& scene) {
+void SoupModels::pose_scene(const scene::PreparedScene& scene) {
     std::vector<glm::dvec3> points;
     std::vector<scene::Triangle> triangles;
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+    for (const scene::Instance& instance : scene->instances) {
+        const scene::Mesh& mesh = scene->meshes[instance.mesh];
         const auto first = static_cast<std::uint32_t>(points.size());
         for (const glm::vec3& p_object : mesh.positions)
             points.push_back(scene::to_world(instance, p_object));
@@ -146,14 +139,14 @@ void SoupModels::pose_scene(const scene::Scene& scene) {
     }
     placed_.resize(1);
     Placed& placed = placed_[0];
-    placed.soup = cache_.edges_of(0, {points, triangles});
+    placed.soup = cache_.edges_of(0, {points, triangles}, scene);
     placed.p_world.clear();
     for (const std::uint32_t vertex : placed.soup->vertex_of)
         placed.p_world.push_back(points[vertex]);
     find_creases(placed);
 }
 
-void SoupModels::pose(const scene::Scene& scene) {
+void SoupModels::pose(const scene::PreparedScene& scene) {
     if (options_.scope == ModelScope::object) {
         pose_objects(scene);
     } else {

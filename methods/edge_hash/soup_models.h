@@ -8,7 +8,7 @@
 
 #include "buffers/hidden_lines.h"
 #include "methods/edge_hash/soup_edges.h"
-#include "scene/scene.h"
+#include "scene/prepared_scene.h"
 
 namespace ink::methods {
 
@@ -33,8 +33,10 @@ class EdgeCache {
     /// Forgets everything; there will be so many models.
     void reset(std::size_t models);
 
-    /// The edges of what a model is now, built if this frame of it is not there.
-    [[nodiscard]] std::shared_ptr<const SoupEdges> edges_of(std::size_t model, const Soup& soup);
+    /// The edges of what a model of `scene` is now, built if this frame of it is not there.
+    [[nodiscard]] std::shared_ptr<const SoupEdges> edges_of(std::size_t model,
+                                                            const Soup& soup,
+                                                            const scene::PreparedScene& scene);
 
     [[nodiscard]] const EdgeCacheCounts& counts() const { return counts_; }
 
@@ -88,7 +90,7 @@ class SoupModels {
     /// Empties the cache and makes a place in it for each model; edges come with the first frame.
     void prepare(const scene::Scene& scene);
     /// Finds each model's frame, or builds it; world positions, creases.
-    void pose(const scene::Scene& scene);
+    void pose(const scene::PreparedScene& scene);
 
     /// The edges that are a line for an eye at `eye_world`, in no order that matters.
     [[nodiscard]] std::vector<buffers::KnownEdge> lines(const glm::dvec3& eye_world) const;
@@ -104,8 +106,8 @@ class SoupModels {
         std::vector<std::uint8_t> is_crease;  ///< per edge of two faces; 0 for the others
     };
 
-    void pose_objects(const scene::Scene& scene);
-    void pose_scene(const scene::Scene& scene);
+    void pose_objects(const scene::PreparedScene& scene);
+    void pose_scene(const scene::PreparedScene& scene);
     void find_creases(Placed& placed) const;
     [[nodiscard]] bool bends(const Placed& placed,
                              const SoupEdge& edge,

@@ -51,11 +51,11 @@ class EdgeList : public buffers::HiddenLinesMethod {
           params_(params),
           models_(params.scope, params.builder, glm::radians(params.crease_deg)) {}
 
-    void prepare(const scene::Scene& scene) override {
+    void prepare(const scene::PreparedScene& scene) override {
         models_.prepare(scene);
         SurfaceMethod::prepare(scene);
     }
-    void pose(const scene::Scene& scene) override {
+    void pose(const scene::PreparedScene& scene) override {
         models_.pose(scene);
         SurfaceMethod::pose(scene);
     }

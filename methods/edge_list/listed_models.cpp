@@ -11,7 +11,6 @@
 #include "buffers/vertex_weld.h"
 #include "core/error.h"
 #include "scene/predicates.h"
-#include "scene/sharing/shared_work.h"
 #include "scene/surface.h"
 
 namespace ink::methods {
@@ -42,48 +41,35 @@ buffers::EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule e
 
 }  // namespace
 
-ListedModels::Built ListedModels::build(const std::vector<Corner>& corners,
-                                        const std::vector<glm::dvec3>& points,
-                                        const std::vector<scene::Triangle>& triangles) const {
-    Built built;
+void ListedModels::build(const std::vector<Corner>& corners,
+                         const std::vector<glm::dvec3>& points,
+                         const std::vector<scene::Triangle>& triangles,
+                         Built& built) const {
     const buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
-    List& list = built.list;
+    List list;
     list.faces = buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
     check_size(builder_, list.faces.size());
     EdgeListing listing = list_edges(list.faces, builder_);
     list.edges = std::move(listing.edges);
     for (const std::uint32_t vertex : weld.first_of)
         list.places.push_back(corners[vertex]);
-    built.counts = listing.counts;
-    return built;
+    built.lists.push_back(std::make_shared<const List>(std::move(list)));
+    built.counts.lookups += listing.counts.lookups;
+    built.counts.comparisons += listing.counts.comparisons;
+    built.counts.longest = std::max(built.counts.longest, listing.counts.longest);
 }
 
-template <class Build>
-std::shared_ptr<const ListedModels::List> ListedModels::make_list(const scene::Scene& scene,
-                                                                  const std::string& what,
-                                                                  Build build) {
-    const std::string name = fmt::format("edge list {} {}", static_cast<int>(builder_), what);
-    Built built = scene::shared(scene, name, build);
-    counts_.lookups += built.counts.lookups;
-    counts_.comparisons += built.counts.comparisons;
-    counts_.longest = std::max(counts_.longest, built.counts.longest);
-    return std::make_shared<const List>(std::move(built.list));
-}
-
-void ListedModels::prepare_objects(const scene::Scene& scene) {
-    std::vector<std::shared_ptr<const List>> lists;  // a mesh used twice is listed once
-    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-        lists.push_back(make_list(scene, fmt::format("mesh {}", m), [&] {
-            const scene::Mesh& mesh = scene.meshes[m];
-            std::vector<Corner> corners(mesh.positions.size());
-            for (std::uint32_t v = 0; v < corners.size(); ++v)
-                corners[v].vertex = v;
-            const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
-            return build(corners, points, mesh.triangles);
-        }));
+/// A list per mesh: one that is used twice is listed once.
+ListedModels::Built ListedModels::build_objects(const scene::Scene& scene) const {
+    Built built;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        std::vector<Corner> corners(mesh.positions.size());
+        for (std::uint32_t v = 0; v < corners.size(); ++v)
+            corners[v].vertex = v;
+        const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
+        build(corners, points, mesh.triangles, built);
     }
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-        placed_.push_back({lists[scene.instances[i].mesh], i, {}, {}, {}});
+    return built;
 }
 
 ListedModels::Built ListedModels::build_scene(const scene::Scene& scene) const {
@@ -105,22 +91,22 @@ ListedModels::Built ListedModels::build_scene(const scene::Scene& scene) const {
             triangles.push_back(corner);
         }
     }
-    return build(corners, points, triangles);
+    Built built;
+    build(corners, points, triangles, built);
+    return built;
 }
 
-void ListedModels::prepare_scene(const scene::Scene& scene) {
-    auto list = make_list(scene, "scene", [&] { return build_scene(scene); });
-    placed_.push_back({std::move(list), 0, {}, {}, {}});
-}
-
-void ListedModels::prepare(const scene::Scene& scene) {
+void ListedModels::prepare(const scene::PreparedScene& scene) {
+    const bool is_by_object = scope_ == EdgeScope::object;
+    const auto built = scene.get(
+        fmt::format("edge lists {} {}", static_cast<int>(builder_), static_cast<int>(scope_)),
+        [&] { return is_by_object ? build_objects(scene) : build_scene(scene); });
+    counts_ = built->counts;
+    listed_hash_ = scene.hash();
     placed_.clear();
-    counts_ = {};
-    listed_hash_ = scene::scene_hash(scene);
-    if (scope_ == EdgeScope::object) {
-        prepare_objects(scene);
-    } else {
-        prepare_scene(scene);
+    for (std::uint32_t i = 0; i < (is_by_object ? scene->instances.size() : 1); ++i) {
+        const std::size_t list = is_by_object ? scene->instances[i].mesh : 0;
+        placed_.push_back({built->lists[list], i, {}, {}, {}});
     }
 }
 
@@ -150,9 +136,9 @@ void ListedModels::place(Placed& placed, const scene::Scene& scene) const {
     }
 }
 
-void ListedModels::pose(const scene::Scene& scene) {
+void ListedModels::pose(const scene::PreparedScene& scene) {
     // What touched may have moved apart.
-    if (scope_ == EdgeScope::scene && scene::scene_hash(scene) != listed_hash_) prepare(scene);
+    if (scope_ == EdgeScope::scene && scene.hash() != listed_hash_) prepare(scene);
     for (Placed& placed : placed_)
         place(placed, scene);
 }

@@ -8,6 +8,7 @@
 
 #include "buffers/hidden_lines.h"
 #include "methods/edge_list/edge_builders.h"
+#include "scene/prepared_scene.h"
 #include "scene/scene.h"
 
 namespace ink::methods {
@@ -36,10 +37,10 @@ class ListedModels {
     /// Lists the edges: once per mesh, or over the whole scene.
     ///
     /// Throws core::Error (where = edge_list) if all_pairs would take minutes.
-    void prepare(const scene::Scene& scene);
+    void prepare(const scene::PreparedScene& scene);
     /// World positions, normals and creases. With EdgeScope::scene a scene that moved is listed
     /// anew.
-    void pose(const scene::Scene& scene);
+    void pose(const scene::PreparedScene& scene);
 
     /// The edges that are a line from this camera, in no order that matters.
     [[nodiscard]] std::vector<buffers::KnownEdge> lines(const scene::Camera& camera,
@@ -70,22 +71,17 @@ class ListedModels {
         std::vector<std::uint8_t> is_crease;  ///< per edge
     };
 
-    void prepare_objects(const scene::Scene& scene);
-    void prepare_scene(const scene::Scene& scene);
-    /// A list, and what it cost to build.
+    /// All lists of a scene, and what they cost to build.
     struct Built {
-        List list;
+        std::vector<std::shared_ptr<const List>> lists;
         BuildCounts counts;
     };
-    [[nodiscard]] Built build(const std::vector<Corner>& corners,
-                              const std::vector<glm::dvec3>& points,
-                              const std::vector<scene::Triangle>& triangles) const;
+    void build(const std::vector<Corner>& corners,
+               const std::vector<glm::dvec3>& points,
+               const std::vector<scene::Triangle>& triangles,
+               Built& built) const;
+    [[nodiscard]] Built build_objects(const scene::Scene& scene) const;
     [[nodiscard]] Built build_scene(const scene::Scene& scene) const;
-    /// Keeps what `build` gives, which is shared under the name of `what`.
-    template <class Build>
-    [[nodiscard]] std::shared_ptr<const List> make_list(const scene::Scene& scene,
-                                                        const std::string& what,
-                                                        Build build);
     void place(Placed& placed, const scene::Scene& scene) const;
     static void append_lines(const Placed& placed,
                              const std::vector<std::int8_t>& facings,

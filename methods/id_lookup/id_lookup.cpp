@@ -153,7 +153,7 @@ FacePass::FacePass(const IdLookupParams& params)
                    kNoNeighbour),
       params_(params) {}
 
-std::vector<std::uint32_t> FacePass::constants_of(const scene::Scene& scene) {
+std::vector<std::uint32_t> FacePass::constants_of(const scene::PreparedScene& scene) {
     mesh_ = make_lookup_mesh(
         scene,
         {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});

@@ -25,7 +25,8 @@ class FacePass : public buffers::ConstantPass {
     [[nodiscard]] const ScreenMesh& screen() const { return screen_; }
 
   protected:
-    [[nodiscard]] std::vector<std::uint32_t> constants_of(const scene::Scene& scene) override;
+    [[nodiscard]] std::vector<std::uint32_t> constants_of(
+        const scene::PreparedScene& scene) override;
     /// What meets, and which edges crease, may change with the pose.
     [[nodiscard]] bool follows(const scene::Scene& /*scene*/) const override { return true; }
     void follow_view(const method::Frame& frame) override;

@@ -30,8 +30,8 @@ glm::dvec3 inward(const std::array<glm::dvec3, 3>& face) {
 
 class Builder {
   public:
-    Builder(const scene::Scene& scene, const LookupOptions& options)
-        : scene_(scene), options_(options), topology_(scene::weld(scene)) {}
+    Builder(const scene::PreparedScene& scene, const LookupOptions& options)
+        : prepared_(scene), options_(options), welded_(scene.topology()) {}
 
     LookupMesh build() {
         mesh_.p_world = topology_.p_world;
@@ -180,13 +180,15 @@ class Builder {
         mesh_.face_of_triangle.assign(scene::triangle_count(scene_), kNoNeighbour);
         for (std::uint32_t f = 0; f < topology_.faces.size(); ++f)
             mesh_.face_of_triangle[topology_.faces[f].triangle] = f;
-        for (const auto& [triangle, face] : buffers::repeated_faces(scene_, topology_))
+        for (const auto& [triangle, face] : buffers::repeated_faces(prepared_, topology_))
             mesh_.face_of_triangle[triangle] = face;
     }
 
-    const scene::Scene& scene_;
+    const scene::PreparedScene& prepared_;
+    const scene::Scene& scene_ = prepared_;
     LookupOptions options_;
-    scene::Topology topology_;
+    std::shared_ptr<const scene::Topology> welded_;
+    const scene::Topology& topology_ = *welded_;
     LookupMesh mesh_;
 };
 
@@ -197,7 +199,7 @@ double deviation_rad(const std::array<glm::dvec3, 3>& one, const std::array<glm:
     return std::numbers::pi - std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-LookupMesh make_lookup_mesh(const scene::Scene& scene, const LookupOptions& options) {
+LookupMesh make_lookup_mesh(const scene::PreparedScene& scene, const LookupOptions& options) {
     return Builder(scene, options).build();
 }
 

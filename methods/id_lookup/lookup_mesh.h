@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "scene/prepared_scene.h"
 #include "scene/scene.h"
 
 namespace ink::methods {
@@ -65,7 +66,8 @@ struct LookupMesh {
 /// Vertices at one place are one, over objects too. Boundaries that do not share their vertices
 /// meet where both ends lie within `weld_epsilon`, if only two do; nothing is moved. O(n log n). An
 /// empty scene gives an empty mesh.
-[[nodiscard]] LookupMesh make_lookup_mesh(const scene::Scene& scene, const LookupOptions& options);
+[[nodiscard]] LookupMesh make_lookup_mesh(const scene::PreparedScene& scene,
+                                          const LookupOptions& options);
 
 /// By how much two faces that meet deviate from flat, 0..pi, each given by the ends of the edge as
 /// it has them and its third corner.

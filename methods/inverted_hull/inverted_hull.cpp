@@ -56,16 +56,16 @@ class InvertedHull : public buffers::SurfaceMethod<buffers::DepthFill> {
         : SurfaceMethod(buffers::constant_inputs(params), buffers::Reads::normals),
           params_(params) {}
 
-    void prepare(const scene::Scene& scene) override {
+    void prepare(const scene::PreparedScene& scene) override {
         SurfaceMethod::prepare(scene);
         hull_ = pass().inputs().surface();
-        hull_mesh_ = raster::LaneMesh(hull_);
-        bounds_ = scene::bounding_sphere(scene);
-        posed_hash_ = scene::scene_hash(scene);
+        hull_mesh_ = raster::LaneMesh(hull_, pass().inputs().mesh().clusters());
+        bounds_ = scene.bounds();
+        posed_hash_ = scene.hash();
     }
-    void pose(const scene::Scene& scene) override {
+    void pose(const scene::PreparedScene& scene) override {
         // Which corners share a normal may change with the dihedral deviation between faces.
-        if (scene::scene_hash(scene) != posed_hash_) prepare(scene);
+        if (scene.hash() != posed_hash_) prepare(scene);
     }
     /// The fronts' depth and the hull's.
     [[nodiscard]] int bytes_per_px() const override { return 2 * pass().format().bytes_per_px(); }

@@ -78,8 +78,9 @@ class LabelPass : public buffers::ConstantPass {
     [[nodiscard]] bool follows(const scene::Scene& scene) const override {
         return !scene.animation;
     }
-    [[nodiscard]] std::vector<std::uint32_t> constants_of(const scene::Scene& scene) override {
-        if (!scene.animation) return labels_of(scene);
+    [[nodiscard]] std::vector<std::uint32_t> constants_of(
+        const scene::PreparedScene& scene) override {
+        if (!scene->animation) return labels_of(scene);
         scene::Scene resting = scene;
         scene::pose_scene(resting, 0);
         return labels_of(resting);
@@ -87,10 +88,11 @@ class LabelPass : public buffers::ConstantPass {
 
   private:
     /// A label per triangle; those without area have label 0 and cover nothing.
-    [[nodiscard]] std::vector<std::uint32_t> labels_of(const scene::Scene& scene) const {
-        const SmoothMesh mesh = make_smooth_mesh(
+    [[nodiscard]] std::vector<std::uint32_t> labels_of(const scene::PreparedScene& scene) const {
+        const auto smooth = make_smooth_mesh(
             scene,
             {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
+        const SmoothMesh& mesh = *smooth;
         const int bits = params_.bits == Bits::eight ? 8 : 16;
         // Apart by the threshold and what rounding may add: |L| <= 2 on a plane.
         const std::vector<std::uint32_t> of_faces =

@@ -9,7 +9,6 @@
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
 #include "edge/side_differences.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::methods {
 namespace {
@@ -70,7 +69,7 @@ CodePass::CodePass(const CodeParams& params, const CodeSetup& setup)
       setup_(setup),
       surface_codes_(code_options(params, setup)) {}
 
-std::vector<std::uint32_t> CodePass::constants_of(const scene::Scene& scene) {
+std::vector<std::uint32_t> CodePass::constants_of(const scene::PreparedScene& scene) {
     surface_codes_.prepare(scene);
     lengths_world_.clear();
     if (setup_.footprint == Footprint::object) {
@@ -80,11 +79,10 @@ std::vector<std::uint32_t> CodePass::constants_of(const scene::Scene& scene) {
                                   static_cast<float>(px_world * setup_.length_px));
         }
     }
-    const auto make = [&] { return surface_codes_.codes(lengths_world_); };
-    return scene.animation ? make() : scene::shared(scene, name_of_codes(), make);
+    return *scene.get(name_of_codes(), [&] { return surface_codes_.codes(lengths_world_); });
 }
 
-/// What codes of a scene that does not move depend on.
+/// What codes of a scene depend on.
 std::string CodePass::name_of_codes() const {
     return fmt::format("surface codes {} {} {} {} {} {} {} {} {} {}",
                        params_.crease_deg,

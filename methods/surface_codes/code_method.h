@@ -50,7 +50,8 @@ class CodePass : public buffers::ConstantPass {
     CodePass(const CodeParams& params, const CodeSetup& setup);
 
   protected:
-    [[nodiscard]] std::vector<std::uint32_t> constants_of(const scene::Scene& scene) override;
+    [[nodiscard]] std::vector<std::uint32_t> constants_of(
+        const scene::PreparedScene& scene) override;
     /// Codes stay with the scene at rest, which an animation starts from. A scene without one rests
     /// as it stands, so that codes are made again if it moved.
     [[nodiscard]] bool follows(const scene::Scene& scene) const override {

@@ -14,7 +14,6 @@
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
 #include "scene/precision/rounding.h"
-#include "scene/sharing/shared_work.h"
 #include "scene/surface.h"
 
 namespace ink::methods {
@@ -281,9 +280,10 @@ std::uint32_t most_frequent(std::vector<std::uint32_t> numbers) {
     return best;
 }
 
-SmoothMesh cut_into_patches(const scene::Scene& scene, const buffers::PatchOptions& options) {
+SmoothMesh cut_into_patches(const scene::PreparedScene& scene,
+                            const buffers::PatchOptions& options) {
     SmoothMesh mesh;
-    mesh.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
+    mesh.topology = *scene.topology(options.weld_epsilon);
     const scene::Topology& topology = mesh.topology;
     const auto count = static_cast<std::uint32_t>(topology.faces.size());
     mesh.across.assign(std::size_t{3} * count, SmoothMesh::kNone);
@@ -332,19 +332,21 @@ SmoothMesh cut_into_patches(const scene::Scene& scene, const buffers::PatchOptio
 
 }  // namespace
 
-SmoothMesh make_smooth_mesh(const scene::Scene& scene, const buffers::PatchOptions& options) {
+std::shared_ptr<const SmoothMesh> make_smooth_mesh(const scene::PreparedScene& scene,
+                                                   const buffers::PatchOptions& options) {
     const std::string name =
         fmt::format("smooth mesh {} {}", options.crease_rad, options.weld_epsilon);
-    return scene::shared(scene, name, [&] { return cut_into_patches(scene, options); });
+    return scene.get(name, [&] { return cut_into_patches(scene, options); });
 }
 
-std::vector<std::uint32_t> faces_of_triangles(const scene::Scene& scene,
+std::vector<std::uint32_t> faces_of_triangles(const scene::PreparedScene& scene,
                                               const scene::Topology& topology) {
     std::vector<std::uint32_t> face_of(scene::triangle_count(scene), SmoothMesh::kNone);
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f)
         face_of[topology.faces[f].triangle] = f;
     if (topology.faces.size() == face_of.size()) return face_of;
-    const scene::Surface surface = scene::flatten(scene);
+    const auto flat = scene.surface();
+    const scene::Surface& surface = *flat;
     const auto places = [&](std::uint32_t triangle) {
         std::array<glm::dvec3, 3> p{};
         for (std::size_t i = 0; i < 3; ++i)

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "buffers/id_pass.h"
+#include "scene/prepared_scene.h"
 #include "scene/scene.h"
 #include "scene/topology.h"
 
@@ -46,12 +48,12 @@ struct SmoothMesh {
 };
 
 /// O(n log n) for the weld, O(n) for the rest. An empty scene has no faces.
-[[nodiscard]] SmoothMesh make_smooth_mesh(const scene::Scene& scene,
-                                          const buffers::PatchOptions& options);
+[[nodiscard]] std::shared_ptr<const SmoothMesh> make_smooth_mesh(
+    const scene::PreparedScene& scene, const buffers::PatchOptions& options);
 
 /// Per triangle of the scene the face that it is, or that it repeats, or that lies beside it where
 /// welding left no area of it, or of all round it; kNone where nothing does.
-[[nodiscard]] std::vector<std::uint32_t> faces_of_triangles(const scene::Scene& scene,
+[[nodiscard]] std::vector<std::uint32_t> faces_of_triangles(const scene::PreparedScene& scene,
                                                             const scene::Topology& topology);
 
 }  // namespace ink::methods

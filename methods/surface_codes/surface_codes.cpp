@@ -11,7 +11,6 @@
 #include "methods/surface_codes/patch_labels.h"
 #include "methods/surface_codes/surface_graph.h"
 #include "scene/animation.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::methods {
 namespace {
@@ -139,29 +138,27 @@ std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
 
 }  // namespace
 
-void SurfaceCodes::prepare(const scene::Scene& scene) {
-    if (scene.animation) {
-        scene::Scene resting = scene;
-        scene::pose_scene(resting, 0);
+void SurfaceCodes::prepare(const scene::PreparedScene& scene) {
+    const auto lay_out = [&](const scene::PreparedScene& resting) {
         mesh_ = make_smooth_mesh(resting, options_.patches);
-        face_of_ = faces_of_triangles(resting, mesh_.topology);
-    } else {
-        mesh_ = make_smooth_mesh(scene, options_.patches);
-        const std::string name =
-            fmt::format("faces of triangles {}", options_.patches.weld_epsilon);
-        face_of_ =
-            scene::shared(scene, name, [&] { return faces_of_triangles(scene, mesh_.topology); });
-    }
+        face_of_ = *resting.get(fmt::format("faces of triangles {}", options_.patches.weld_epsilon),
+                                [&] { return faces_of_triangles(resting, mesh_->topology); });
+    };
+    if (!scene->animation) return lay_out(scene);
+    scene::Scene resting = scene;
+    scene::pose_scene(resting, 0);
+    lay_out(resting);
 }
 
 std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_world) {
+    const SmoothMesh& mesh = *mesh_;
     const auto lowest = static_cast<std::uint32_t>(options_.range.lowest);
     std::vector<std::uint32_t> codes(face_of_.size(), 0);
     slits_ = {};
     const auto add = [&](std::span<const std::int32_t> distances, bool is_second) {
         CodeRange range = options_.range;
         range.is_second = is_second;
-        const std::vector<std::uint8_t> of_faces = phased_codes(mesh_, distances, range);
+        const std::vector<std::uint8_t> of_faces = phased_codes(mesh, distances, range);
         for (std::size_t t = 0; t < codes.size(); ++t) {
             const std::uint32_t face = face_of_[t];
             const std::uint32_t code = face == SmoothMesh::kNone ? lowest : of_faces[face];
@@ -169,14 +166,14 @@ std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_wor
         }
     };
     if (options_.turn_rad == 0) {
-        add(std::vector<std::int32_t>(mesh_.face_count(), 0), false);
+        add(std::vector<std::int32_t>(mesh.face_count(), 0), false);
         return codes;
     }
     StepCosts costs{options_.turn_rad, {}};
     if (!length_world.empty()) {
-        costs.length_world.resize(mesh_.face_count());
-        for (std::size_t f = 0; f < mesh_.face_count(); ++f)
-            costs.length_world[f] = length_world[mesh_.topology.faces[f].triangle];
+        costs.length_world.resize(mesh.face_count());
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            costs.length_world[f] = length_world[mesh.topology.faces[f].triangle];
     }
     for (int byte = 0; byte < options_.bytes; ++byte) {
         const bool is_second = byte == 1;
@@ -184,9 +181,9 @@ std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_wor
             for (float& length : costs.length_world)
                 length *= kSecondLength;
         }
-        SurfaceGraph graph(mesh_, costs);
-        if (options_.rounds > 0) steepen_short_slits(mesh_, graph);
-        add(surface_distance(mesh_,
+        SurfaceGraph graph(mesh, costs);
+        if (options_.rounds > 0) steepen_short_slits(mesh, graph);
+        add(surface_distance(mesh,
                              graph,
                              is_second ? End::side : End::first,
                              options_.rounds,
@@ -197,7 +194,7 @@ std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_wor
 }
 
 double SurfaceCodes::largest_object() const {
-    const auto& faces = mesh_.topology.faces;
+    const auto& faces = mesh_->topology.faces;
     double largest = 0;
     for (std::size_t f = 0; f < faces.size();) {  // in the order of objects
         glm::dvec3 low{std::numeric_limits<double>::infinity()};
@@ -206,8 +203,8 @@ double SurfaceCodes::largest_object() const {
              f < faces.size() && faces[f].object == object;
              ++f) {
             for (const std::uint32_t vertex : faces[f].vertices) {
-                low = glm::min(low, mesh_.topology.p_world[vertex]);
-                high = glm::max(high, mesh_.topology.p_world[vertex]);
+                low = glm::min(low, mesh_->topology.p_world[vertex]);
+                high = glm::max(high, mesh_->topology.p_world[vertex]);
             }
         }
         largest = std::max(largest, glm::length(high - low));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,7 @@ class SurfaceCodes {
     explicit SurfaceCodes(const CodeOptions& options) : options_(options) {}
 
     /// Welds and cuts the scene at rest. O(n log n).
-    void prepare(const scene::Scene& scene);
+    void prepare(const scene::PreparedScene& scene);
 
     /// A code per triangle. `length_world` holds a length per triangle at least that a step covers
     /// there, or nothing: then steps are as short as the surface makes them.
@@ -47,13 +48,13 @@ class SurfaceCodes {
 
     /// The diameter of the largest object, world units: of the box round it.
     [[nodiscard]] double largest_object() const;
-    [[nodiscard]] const SmoothMesh& mesh() const { return mesh_; }
+    [[nodiscard]] const SmoothMesh& mesh() const { return *mesh_; }
     /// Of the codes that were made last.
     [[nodiscard]] const SlitCount& slits() const { return slits_; }
 
   private:
     CodeOptions options_;
-    SmoothMesh mesh_;
+    std::shared_ptr<const SmoothMesh> mesh_ = std::make_shared<const SmoothMesh>();
     std::vector<std::uint32_t> face_of_;  ///< per triangle
     SlitCount slits_;
 };

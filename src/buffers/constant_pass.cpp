@@ -8,27 +8,17 @@ void ConstantPass::take(std::vector<std::uint32_t> constants) {
     in_clusters_.clear();
 }
 
-void ConstantPass::prepare(const scene::Scene& scene) {
+void ConstantPass::prepare(const scene::PreparedScene& scene) {
     SurfacePass::prepare(scene);
     take(constants_of(scene));
-    posed_hash_ = scene::scene_hash(scene);
+    posed_hash_ = scene.hash();
     have_changed_ = true;
 }
 
-bool ConstantPass::prepare_like(const ConstantPass& other,
-                                const scene::Scene& scene,
-                                bool has_same_constants) {
-    if (!inputs().prepare_like(other.inputs())) return false;
-    take(has_same_constants ? other.constants_ : constants_of(scene));
-    posed_hash_ = scene::scene_hash(scene);
-    have_changed_ = true;
-    return true;
-}
-
-void ConstantPass::pose(const scene::Scene& scene) {
+void ConstantPass::pose(const scene::PreparedScene& scene) {
     SurfacePass::pose(scene);
     in_clusters_.clear();
-    const std::uint64_t hash = scene::scene_hash(scene);
+    const std::uint64_t hash = scene.hash();
     if (hash == posed_hash_ || !follows(scene)) return;
     take(constants_of(scene));
     posed_hash_ = hash;

@@ -18,10 +18,8 @@ namespace ink::buffers {
 /// copies what was not drawn.
 class ConstantPass : public SurfacePass {
   public:
-    void prepare(const scene::Scene& scene);
-    /// Constants are each pass's own; see IdPass.
-    bool prepare_like(const ConstantPass& other, const scene::Scene& scene) = delete;
-    void pose(const scene::Scene& scene);
+    void prepare(const scene::PreparedScene& scene);
+    void pose(const scene::PreparedScene& scene);
 
     /// Hands every tile of samples to `sink`, `sky` where nothing is. With `may_leave_out` tiles in
     /// which nothing moved since the last frame may be kept, and what is flat left out.
@@ -65,17 +63,14 @@ class ConstantPass : public SurfacePass {
         : SurfacePass(params, format), sky_(sky), flat_gives_zero_(flat_gives_zero) {}
 
     /// One per triangle of the scene, by global index.
-    [[nodiscard]] virtual std::vector<std::uint32_t> constants_of(const scene::Scene& scene) = 0;
+    [[nodiscard]] virtual std::vector<std::uint32_t> constants_of(
+        const scene::PreparedScene& scene) = 0;
     /// Whether a scene that moved has other constants.
     [[nodiscard]] virtual bool follows(const scene::Scene& scene) const = 0;
     /// Makes what depends on the view that was seen.
     virtual void follow_view(const method::Frame& /*frame*/) {}
 
     void take(std::vector<std::uint32_t> constants);
-    /// See SurfaceInputs::prepare_like; constants are taken over, too, if they are the same.
-    [[nodiscard]] bool prepare_like(const ConstantPass& other,
-                                    const scene::Scene& scene,
-                                    bool has_same_constants);
     /// What draw() draws: of the frame as it is seen now, once.
     [[nodiscard]] raster::MeshInput see(const method::Frame& frame, bool may_leave_out);
 

@@ -11,8 +11,6 @@ class DepthFill : public SurfacePass {
     /// Corners are shared by position alone, unless normals are read.
     explicit DepthFill(const InputParams& params, Reads reads = Reads::positions);
 
-    /// It is each method's own.
-    bool prepare_like(const DepthFill& other, const scene::Scene& scene) = delete;
     /// A pass over the scene that still lacks culling and offset.
     [[nodiscard]] raster::MeshInput see(const method::Frame& frame);
     /// Fills the frame's depth. Returns what was skipped.

@@ -8,7 +8,6 @@
 #include "core/parallel.h"
 #include "scene/components.h"
 #include "scene/predicates.h"
-#include "scene/sharing/shared_work.h"
 #include "scene/topology.h"
 
 namespace ink::buffers {
@@ -46,9 +45,10 @@ bool is_inner(const scene::Topology& topology, const scene::Edge& edge) {
 
 }  // namespace
 
-TriangleEdges::Lines TriangleEdges::lines_of(const scene::Scene& scene) const {
+TriangleEdges::Lines TriangleEdges::lines_of(const scene::PreparedScene& scene) const {
     Lines found;
-    const scene::Topology topology = scene::weld(scene);
+    const auto welded = scene.topology();
+    const scene::Topology& topology = *welded;
     for (const scene::Edge& edge : topology.edges) {
         if (edges_ == WireEdges::polygons && is_inner(topology, edge)) continue;
         // Faces are grouped by edge in ascending order, so those of one object stand together.
@@ -66,19 +66,17 @@ TriangleEdges::Lines TriangleEdges::lines_of(const scene::Scene& scene) const {
     return found;
 }
 
-void TriangleEdges::find_lines(const scene::Scene& scene) {
+void TriangleEdges::find_lines(const scene::PreparedScene& scene) {
     const std::string name = fmt::format("triangle edges {}", static_cast<int>(edges_));
-    Lines found = scene::shared(scene, name, [&] { return lines_of(scene); });
-    lines_ = std::move(found.lines);
-    faces_ = std::move(found.faces);
+    lines_ = scene.get(name, [&] { return lines_of(scene); });
 }
 
-void TriangleEdges::prepare(const scene::Scene& scene) {
+void TriangleEdges::prepare(const scene::PreparedScene& scene) {
     DepthFill::prepare(scene);
     find_lines(scene);
 }
 
-void TriangleEdges::pose(const scene::Scene& scene) {
+void TriangleEdges::pose(const scene::PreparedScene& scene) {
     const Posed posed = inputs().pose(scene);
     const bool may_bend = edges_ == WireEdges::polygons && posed == Posed::moved;
     if (may_bend || posed == Posed::anew) find_lines(scene);
@@ -105,10 +103,11 @@ std::span<const raster::Line> TriangleEdges::lines_of_side(int side, const metho
     const auto shows = [&](std::uint32_t face) {
         return side < 0 ? sides_[face] < 0 : sides_[face] >= 0;
     };
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-        const raster::Line& line = lines_[i];
-        const bool shows_first = shows(faces_[i].first);
-        const bool shows_second = line.is_both_ways && shows(faces_[i].second);
+    for (std::size_t i = 0; i < lines_->lines.size(); ++i) {
+        const raster::Line& line = lines_->lines[i];
+        const Faces& faces = lines_->faces[i];
+        const bool shows_first = shows(faces.first);
+        const bool shows_second = line.is_both_ways && shows(faces.second);
         if (shows_first) shown_.push_back({line.from, line.to, shows_second});
         if (!shows_first && shows_second) shown_.push_back({line.to, line.from});
     }

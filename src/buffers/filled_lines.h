@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,15 +30,15 @@ class TriangleEdges : public DepthFill {
         : DepthFill({.depth_format = depth_format}), edges_(edges) {}
 
     /// Once per topology.
-    void prepare(const scene::Scene& scene);
+    void prepare(const scene::PreparedScene& scene);
     /// World positions again, if anything moved since; with WireEdges::polygons also the edges, by
     /// a new weld, for what was flat may have bent.
-    void pose(const scene::Scene& scene);
+    void pose(const scene::PreparedScene& scene);
 
     /// The corners that lines join.
     [[nodiscard]] const scene::Surface& surface() const { return inputs().surface(); }
     /// All of them; they join corners of surface().
-    [[nodiscard]] std::span<const raster::Line> lines() const { return lines_; }
+    [[nodiscard]] std::span<const raster::Line> lines() const { return lines_->lines; }
     /// Those of at least one triangle that the eye sees from its back (`side` < 0) or from its
     /// front or its rim (`side` >= 0). Valid until the next call.
     [[nodiscard]] std::span<const raster::Line> lines_of_side(int side, const method::Frame& frame);
@@ -54,13 +55,12 @@ class TriangleEdges : public DepthFill {
         std::vector<raster::Line> lines;
         std::vector<Faces> faces;  ///< one per line
     };
-    [[nodiscard]] Lines lines_of(const scene::Scene& scene) const;
-    void find_lines(const scene::Scene& scene);
+    [[nodiscard]] Lines lines_of(const scene::PreparedScene& scene) const;
+    void find_lines(const scene::PreparedScene& scene);
     void find_sides(const method::Frame& frame);
 
     WireEdges edges_;
-    std::vector<raster::Line> lines_;
-    std::vector<Faces> faces_;        ///< one per line
+    std::shared_ptr<const Lines> lines_ = std::make_shared<const Lines>();
     std::vector<std::int8_t> sides_;  ///< one per triangle, of the last frame
     std::vector<raster::Line> shown_;
 };

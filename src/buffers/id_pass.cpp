@@ -1,8 +1,11 @@
 #include "buffers/id_pass.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <numeric>
+#include <string>
 
 #include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
@@ -13,10 +16,11 @@
 namespace ink::buffers {
 namespace {
 
-std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
+std::vector<std::uint32_t> patch_ids(const scene::PreparedScene& scene,
                                      bool over_objects,
                                      const PatchOptions& options) {
-    const scene::Topology topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
+    const auto welded = scene.topology(options.weld_epsilon);
+    const scene::Topology& topology = *welded;
     core::DisjointSets sets(scene::triangle_count(scene));
     for (const scene::Edge& edge : topology.edges) {
         if (edge.face_count != 2) continue;
@@ -47,7 +51,7 @@ glm::u8vec3 color_of(std::uint32_t id) {
 
 }  // namespace
 
-std::vector<std::uint32_t> surface_ids(const scene::Scene& scene,
+std::vector<std::uint32_t> surface_ids(const scene::PreparedScene& scene,
                                        IdSource source,
                                        const PatchOptions& options) {
     if (source == IdSource::patch || source == IdSource::object_and_patch) {
@@ -57,8 +61,8 @@ std::vector<std::uint32_t> surface_ids(const scene::Scene& scene,
     std::iota(ids.begin(), ids.end(), 0U);
     if (source == IdSource::triangle) return ids;
     std::size_t first = 0;
-    for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
-        const std::size_t count = scene.meshes[scene.instances[object].mesh].triangles.size();
+    for (std::uint32_t object = 0; object < scene->instances.size(); ++object) {
+        const std::size_t count = scene->meshes[scene->instances[object].mesh].triangles.size();
         std::fill_n(ids.begin() + static_cast<std::ptrdiff_t>(first), count, object);
         first += count;
     }
@@ -71,22 +75,16 @@ IdPass::IdPass(const IdParams& params, int halo_px)
                    kNoId),
       params_(params) {}
 
-std::vector<std::uint32_t> IdPass::constants_of(const scene::Scene& scene) {
-    return surface_ids(
-        scene,
-        params_.of,
-        {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
+std::vector<std::uint32_t> IdPass::constants_of(const scene::PreparedScene& scene) {
+    const PatchOptions options{.crease_rad = glm::radians(params_.crease_deg),
+                               .weld_epsilon = params_.weld_epsilon};
+    const std::string name = fmt::format(
+        "ids {} {} {}", static_cast<int>(params_.of), options.crease_rad, options.weld_epsilon);
+    return *scene.get(name, [&] { return surface_ids(scene, params_.of, options); });
 }
 
 bool IdPass::follows(const scene::Scene& /*scene*/) const {
     return params_.of == IdSource::patch || params_.of == IdSource::object_and_patch;
-}
-
-bool IdPass::prepare_like(const IdPass& other, const scene::Scene& scene) {
-    const bool has_same_ids = params_.of == other.params_.of &&
-                              params_.crease_deg == other.params_.crease_deg &&
-                              params_.weld_epsilon == other.params_.weld_epsilon;
-    return ConstantPass::prepare_like(other, scene, has_same_ids);
 }
 
 method::Layer IdPass::layer(const method::Frame& frame) {

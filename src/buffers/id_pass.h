@@ -2,7 +2,7 @@
 
 #include "buffers/constant_pass.h"
 #include "buffers/surface_method.h"
-#include "scene/scene.h"
+#include "scene/prepared_scene.h"
 
 namespace ink::buffers {
 
@@ -31,7 +31,7 @@ struct PatchOptions {
 /// Only edges of two faces join, whichever way these are turned. A triangle that repeats another
 /// has the id of that one; one without area has its own, and covers nothing. O(n log n); an empty
 /// scene has no ids.
-[[nodiscard]] std::vector<std::uint32_t> surface_ids(const scene::Scene& scene,
+[[nodiscard]] std::vector<std::uint32_t> surface_ids(const scene::PreparedScene& scene,
                                                      IdSource source,
                                                      const PatchOptions& options);
 
@@ -76,13 +76,12 @@ class IdPass : public ConstantPass {
   public:
     IdPass(const IdParams& params, int halo_px);
 
-    /// See SurfaceInputs::prepare_like; ids are taken over, too, if they are of the same.
-    [[nodiscard]] bool prepare_like(const IdPass& other, const scene::Scene& scene);
     /// `ids`: a colour for every id, sky black.
     [[nodiscard]] method::Layer layer(const method::Frame& frame);
 
   protected:
-    [[nodiscard]] std::vector<std::uint32_t> constants_of(const scene::Scene& scene) override;
+    [[nodiscard]] std::vector<std::uint32_t> constants_of(
+        const scene::PreparedScene& scene) override;
     /// Patches may part where a surface bends.
     [[nodiscard]] bool follows(const scene::Scene& scene) const override;
 

@@ -22,7 +22,7 @@ Places places_of(const std::vector<glm::dvec3>& p_world, const std::array<std::u
 
 }  // namespace
 
-std::vector<RepeatedFace> repeated_faces(const scene::Scene& scene,
+std::vector<RepeatedFace> repeated_faces(const scene::PreparedScene& scene,
                                          const scene::Topology& topology) {
     std::vector<RepeatedFace> repeated;
     if (topology.counts.duplicate == 0) return repeated;
@@ -32,7 +32,8 @@ std::vector<RepeatedFace> repeated_faces(const scene::Scene& scene,
         is_face[topology.faces[f].triangle] = true;
         face_at.emplace(places_of(topology.p_world, topology.faces[f].vertices), f);
     }
-    const scene::Surface surface = scene::flatten(scene);
+    const auto flat = scene.surface();
+    const scene::Surface& surface = *flat;
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
         if (is_face[t]) continue;
         const auto found = face_at.find(places_of(surface.p_world, surface.triangles[t]));

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/prepared_scene.h"
 #include "scene/topology.h"
 
 namespace ink::buffers {
@@ -16,7 +16,7 @@ struct RepeatedFace {
 };
 
 /// Those of a scene, by triangle; `topology` is its own.
-[[nodiscard]] std::vector<RepeatedFace> repeated_faces(const scene::Scene& scene,
+[[nodiscard]] std::vector<RepeatedFace> repeated_faces(const scene::PreparedScene& scene,
                                                        const scene::Topology& topology);
 
 }  // namespace ink::buffers

@@ -1,8 +1,13 @@
 #include "buffers/surface_inputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "scene/clusters.h"
 
 namespace ink::buffers {
 namespace {
@@ -30,57 +35,45 @@ std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
 
 }  // namespace
 
-scene::Surface SurfaceInputs::flattened(const scene::Scene& scene) const {
-    if (reads_ == Reads::positions) return scene::flatten(scene);
-    return scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg));
+std::shared_ptr<const scene::Surface> SurfaceInputs::flattened(
+    const scene::PreparedScene& scene) const {
+    if (reads_ == Reads::positions) return scene.surface();
+    return scene.surface(params_.normals, glm::radians(params_.crease_deg));
 }
 
-void SurfaceInputs::prepare(const scene::Scene& scene) {
+void SurfaceInputs::prepare(const scene::PreparedScene& scene) {
     lay_out(scene);
     has_moved_ = false;
 }
 
-void SurfaceInputs::lay_out(const scene::Scene& scene) {
-    surface_ = std::make_shared<const scene::Surface>(flattened(scene));
-    mesh_ = std::make_shared<raster::LaneMesh>(*surface_);
-    bounds_ = scene::bounding_sphere(scene);
-    posed_hash_ = scene::scene_hash(scene);
+void SurfaceInputs::lay_out(const scene::PreparedScene& scene) {
+    surface_ = flattened(scene);
+    // With its surface, so that no other gets the address by which it is known.
+    const auto cut = scene.get(fmt::format("clusters {}", fmt::ptr(surface_.get())), [&] {
+        return std::pair(surface_, scene::make_clusters(*surface_));
+    });
+    mesh_ = raster::LaneMesh(*surface_, cut->second);
+    bounds_ = scene.bounds();
+    posed_hash_ = scene.hash();
     last_ = {};
 }
 
-bool SurfaceInputs::prepare_like(const SurfaceInputs& other) {
-    const bool is_alike =
-        params_.normals == other.params_.normals && params_.crease_deg == other.params_.crease_deg;
-    if (!is_alike || !other.surface_ || other.has_moved_) return false;
-    surface_ = other.surface_;
-    mesh_ = other.mesh_;
-    bounds_ = other.bounds_;
-    posed_hash_ = other.posed_hash_;
-    has_moved_ = false;
-    last_ = {};
-    return true;
-}
-
-Posed SurfaceInputs::pose(const scene::Scene& scene) {
-    const std::uint64_t hash = scene::scene_hash(scene);
+Posed SurfaceInputs::pose(const scene::PreparedScene& scene) {
+    const std::uint64_t hash = scene.hash();
     if (hash == posed_hash_) return Posed::still;
     has_moved_ = true;
     // Which corners share a normal may change with the dihedral deviation between faces, so a moved
     // scene is flattened anew; its clusters stay if that has not happened.
-    auto moved = std::make_shared<const scene::Surface>(flattened(scene));
+    auto moved = flattened(scene);
     if (moved->triangles != surface_->triangles ||
         moved->p_world.size() != surface_->p_world.size()) {
         lay_out(scene);
         return Posed::anew;
     }
     moved_objects_ |= moved_objects(*surface_, *moved);
-    if (mesh_.use_count() == 1) {
-        mesh_->update(*moved);
-    } else {
-        mesh_ = std::make_shared<raster::LaneMesh>(*moved);
-    }
+    mesh_.update(*moved);
     surface_ = std::move(moved);
-    bounds_ = scene::bounding_sphere(scene);
+    bounds_ = scene.bounds();
     posed_hash_ = hash;
     return Posed::moved;
 }
@@ -102,7 +95,7 @@ void SurfaceInputs::see(const method::Frame& frame) {
 
 raster::MeshInput SurfaceInputs::mesh_input(const method::Frame& frame) const {
     raster::MeshInput input;
-    input.mesh = mesh_.get();
+    input.mesh = &mesh_;
     input.view = view_;
     input.bounds = bounds_;
     input.threads = frame.threads;

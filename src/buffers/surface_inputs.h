@@ -127,17 +127,16 @@ class SurfaceInputs {
         : params_(params), reads_(reads) {}
 
     /// Once per topology: normals, shared corners, clusters.
-    void prepare(const scene::Scene& scene);
-    /// The same by sharing what `other` made of the same scene, if the normals asked for are alike
-    /// and nothing has moved there since; false, and nothing is done, if not.
-    [[nodiscard]] bool prepare_like(const SurfaceInputs& other);
+    void prepare(const scene::PreparedScene& scene);
     /// World positions, and normals again, if anything moved since.
-    Posed pose(const scene::Scene& scene);
+    Posed pose(const scene::PreparedScene& scene);
     /// The view, its depth range, and whether the last frame had the same.
     void see(const method::Frame& frame);
 
     /// What there is to draw, as it is posed.
     [[nodiscard]] const scene::Surface& surface() const { return *surface_; }
+    /// The same laid out for lanes.
+    [[nodiscard]] const raster::LaneMesh& mesh() const { return mesh_; }
     /// Whether there is nothing to draw.
     [[nodiscard]] bool is_empty() const { return !surface_ || surface_->triangles.empty(); }
     [[nodiscard]] const raster::DepthRange& range() const { return range_; }
@@ -157,8 +156,9 @@ class SurfaceInputs {
 
   private:
     /// Surface and clusters of the scene as it stands, from nothing: no image is kept.
-    void lay_out(const scene::Scene& scene);
-    [[nodiscard]] scene::Surface flattened(const scene::Scene& scene) const;
+    void lay_out(const scene::PreparedScene& scene);
+    [[nodiscard]] std::shared_ptr<const scene::Surface> flattened(
+        const scene::PreparedScene& scene) const;
 
     struct Kept {
         edge::EdgeImage image;
@@ -168,7 +168,7 @@ class SurfaceInputs {
     InputParams params_;
     Reads reads_;
     std::shared_ptr<const scene::Surface> surface_;  ///< the mesh borrows it
-    std::shared_ptr<raster::LaneMesh> mesh_;         ///< changed only by its single owner
+    raster::LaneMesh mesh_;
     scene::Sphere bounds_;
     scene::Sphere seen_bounds_;  ///< of the last frame
     std::uint64_t posed_hash_ = 0;

@@ -12,16 +12,8 @@ namespace ink::buffers {
 template <class Pass>
 class SurfaceMethod : public method::Method {
   public:
-    void prepare(const scene::Scene& scene) override { pass_.prepare(scene); }
-    [[nodiscard]] bool prepare_like(const method::Method& other,
-                                    const scene::Scene& scene) override {
-        if constexpr (requires(Pass & pass) { pass.prepare_like(pass, scene); }) {
-            const auto* same = dynamic_cast<const SurfaceMethod*>(&other);
-            return same != nullptr && pass_.prepare_like(same->pass_, scene);
-        }
-        return false;
-    }
-    void pose(const scene::Scene& scene) override { pass_.pose(scene); }
+    void prepare(const scene::PreparedScene& scene) override { pass_.prepare(scene); }
+    void pose(const scene::PreparedScene& scene) override { pass_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) final {
         skip_counts_ = {};
         if (pass_.is_empty() || out.is_empty()) return out.fill(0);

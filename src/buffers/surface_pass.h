@@ -16,12 +16,8 @@ class SurfacePass {
           shares_vertices_(params.normals != scene::NormalSource::facet),
           inputs_(params, reads) {}
 
-    void prepare(const scene::Scene& scene) { inputs_.prepare(scene); }
-    /// See SurfaceInputs::prepare_like.
-    [[nodiscard]] bool prepare_like(const SurfacePass& other, const scene::Scene& /*scene*/) {
-        return inputs_.prepare_like(other.inputs_);
-    }
-    void pose(const scene::Scene& scene) { (void)inputs_.pose(scene); }
+    void prepare(const scene::PreparedScene& scene) { inputs_.prepare(scene); }
+    void pose(const scene::PreparedScene& scene) { (void)inputs_.pose(scene); }
     [[nodiscard]] bool is_empty() const { return inputs_.is_empty(); }
 
     [[nodiscard]] const raster::PassFormat& format() const { return format_; }

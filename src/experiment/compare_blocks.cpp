@@ -131,7 +131,7 @@ BlockResult run_settings(ViewBench& bench,
     BlockResult result;
     auto methods = [&] {
         const StageTimer timer(result.stages, WorkStage::prepare);
-        return bench.prepared(part.settings, at.scene, part.preparation);
+        return bench.prepared(part.settings, at.scene);
     }();
     std::vector<harness::Evaluation> evaluations = [&] {
         const StageTimer timer(result.stages, WorkStage::draw);
@@ -142,7 +142,6 @@ BlockResult run_settings(ViewBench& bench,
         const StageTimer timer(result.stages, WorkStage::score);
         harness::finish_settings(bench.scenes()[at.scene], *at.view, traced, options, evaluations);
     }
-    bench.leave(at.scene, std::move(methods));
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
     for (std::size_t i = 0; i < part.settings.size(); ++i) {
         if (!bench.experiment().times) clear_times(evaluations[i].row);

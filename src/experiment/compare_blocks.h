@@ -25,9 +25,6 @@ struct SettingsPart {
     std::size_t method = 0;
     std::size_t first = 0;  ///< the number of the first setting, from 1
     std::vector<harness::MethodConfig> settings;
-    /// A grid asks for errors over many settings: they share what they prepare. A method's own
-    /// sweep is timed against other methods: each setting has memory of its own, as these have.
-    Preparation preparation = Preparation::copied;
 };
 
 /// The methods at their own settings, and the baselines: rows.csv and what stands beside it.

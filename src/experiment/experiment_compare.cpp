@@ -96,14 +96,6 @@ std::vector<std::string> parameters_swept(const ViewBench& bench) {
     return {names.begin(), names.end()};
 }
 
-Preparation preparation_of(const Experiment& experiment, const std::string& method) {
-    const bool has_grid =
-        std::any_of(experiment.grids.begin(), experiment.grids.end(), [&](const SettingGrid& grid) {
-            return grid.method == method;
-        });
-    return has_grid ? Preparation::shared : Preparation::copied;
-}
-
 /// The blocks of one method's settings on a place, so many at once.
 void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    const BlockPlace& at,
@@ -113,22 +105,18 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    Plan& plan) {
     if (settings.empty()) return;
     const std::string& name = settings.front().info->name;
-    const Preparation preparation = preparation_of(bench->experiment(), name);
-    const std::size_t most = preparation == Preparation::shared
-                                 ? kSettingsAtOnce
-                                 : std::min(kSettingsAtOnce, bench->most_at_once(at.scene));
+    const std::size_t most = std::min(kSettingsAtOnce, bench->most_at_once(at.scene));
     for (std::size_t begin = 0; begin < settings.size(); begin += most) {
         const std::size_t end = std::min(settings.size(), begin + most);
-        SettingsPart part{method, begin + 1, {}, preparation};
+        SettingsPart part{method, begin + 1, {}};
         part.settings.assign(settings.begin() + static_cast<std::ptrdiff_t>(begin),
                              settings.begin() + static_cast<std::ptrdiff_t>(end));
         const int cells = static_cast<int>(part.settings.size());
-        const int prepared = part.preparation == Preparation::shared ? 1 : cells;
         plan.blocks.push_back(
             {fmt::format(
                  "{} sweep {} settings {}..{}", place_text(*bench, at), name, begin + 1, end),
              cells,
-             work_s(*bench, at, {cells, prepared, false}),
+             work_s(*bench, at, {cells, cells, false}),
              false,
              [bench, at, part, swept] { return run_settings(*bench, at, part, swept); },
              at.scene});

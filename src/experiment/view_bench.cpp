@@ -1,7 +1,6 @@
 #include "experiment/view_bench.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "core/parallel.h"
@@ -11,12 +10,11 @@
 namespace ink::experiment {
 namespace {
 
-/// Triangles times results of preparation that are kept to be shared: a hundred bytes each. No more
-/// results than methods and settings ask for; with fewer than the least, methods that come again
-/// for the next view or setting find nothing of theirs left.
+/// Triangles times results of preparation that are kept: a hundred bytes each. With fewer results
+/// than the least, methods that come again for the next view or setting find nothing of theirs
+/// left.
 constexpr std::size_t kTrianglesKept = 6'000'000;
 constexpr std::size_t kLeastKept = 24;
-constexpr std::size_t kMostKept = 64;
 
 /// Medians of draw times are wanted to this share of themselves: what two runs differ by anyway.
 constexpr double kPrecision = 0.02;
@@ -88,38 +86,25 @@ std::size_t ViewBench::most_at_once(std::size_t scene) const {
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene,
                                                                           std::size_t first) {
     Desk& desk = desk_of(scene);
-    desk.left.clear();
     if (!desk.methods.empty() && first == desk.first_method) return desk.methods;
     desk.methods.clear();
     const std::size_t end = first + std::min(configs_.size() - first, most_at_once(scene));
-    desk.methods = prepared({configs_.begin() + static_cast<std::ptrdiff_t>(first),
-                             configs_.begin() + static_cast<std::ptrdiff_t>(end)},
-                            scene,
-                            // Those that do not stay ready are made ready again for every view.
-                            end - first < configs_.size() ? Preparation::copied : Preparation::own);
+    const auto prepare = [&] {
+        desk.methods = prepared({configs_.begin() + static_cast<std::ptrdiff_t>(first),
+                                 configs_.begin() + static_cast<std::ptrdiff_t>(end)},
+                                scene);
+    };
+    experiment_.times ? core::run_alone(prepare) : prepare();
     desk.first_method = first;
     return desk.methods;
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
-    const std::vector<harness::MethodConfig>& configs, std::size_t scene, Preparation preparation) {
-    std::optional<scene::SharedWork::Use> use;
-    if (preparation != Preparation::own) use.emplace(*desk_of(scene).shared);
+    const std::vector<harness::MethodConfig>& configs, std::size_t scene) {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    std::vector<std::unique_ptr<harness::PreparedMethod>> none;
-    auto& left = preparation == Preparation::copied ? desk_of(scene).left : none;
-    const auto prepare = [&] {
-        for (const harness::MethodConfig& config : configs) {
-            methods.push_back(std::make_unique<harness::PreparedMethod>(
-                config, scenes_[scene], preparation == Preparation::shared ? methods : left));
-            if (left.empty()) continue;
-            // One comes, one goes: no more are ready at a time than fit into memory.
-            const std::size_t taken = methods.back()->taken_from().value_or(0);
-            left.erase(left.begin() + static_cast<std::ptrdiff_t>(taken));
-        }
-    };
-    const bool is_timed = preparation == Preparation::own && experiment_.times;
-    is_timed ? core::run_alone(prepare) : prepare();
+    for (const harness::MethodConfig& config : configs)
+        methods.push_back(
+            std::make_unique<harness::PreparedMethod>(config, *desk_of(scene).prepared));
     return methods;
 }
 
@@ -130,10 +115,9 @@ ViewBench::Desk& ViewBench::desk_of(std::size_t scene) {
     options.threads = std::min(options.threads, core::share_of_threads());
     desk.model = std::make_unique<truth::SceneModel>(scenes_[scene], options);
     desk.predictor = std::make_unique<harness::MissPredictor>(scenes_[scene]);
-    const std::size_t kept =
-        kTrianglesKept / std::max<std::size_t>(1, triangle_count(scenes_[scene]));
-    desk.shared = std::make_unique<scene::SharedWork>(scenes_[scene],
-                                                      std::clamp(kept, kLeastKept, kMostKept));
+    const std::size_t triangles = std::max<std::size_t>(1, triangle_count(scenes_[scene]));
+    desk.prepared = std::make_unique<scene::PreparedScene>(
+        scenes_[scene], std::max(kLeastKept, kTrianglesKept / triangles));
     return desk;
 }
 

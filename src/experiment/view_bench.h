@@ -10,18 +10,9 @@
 #include "experiment/experiment.h"
 #include "harness/miss_prediction.h"
 #include "harness/view_cells.h"
-#include "scene/sharing/shared_work.h"
+#include "scene/prepared_scene.h"
 
 namespace ink::experiment {
-
-/// How several methods or settings are made ready.
-enum class Preparation {
-    own,     ///< each by itself, from nothing: what preparing costs is measured
-    copied,  ///< what several work out alike is made once (scene::SharedWork), and each has a copy,
-             ///< so that each is timed with memory of its own, as other methods are; or it takes
-             ///< over what another one leaves behind that is no longer needed
-    shared  ///< those that would prepare the same share it: many settings cost little more than one
-};
 
 /// The scenes of an experiment, and what is kept of those that are worked on from block to block:
 /// the model, the methods made ready, the truth of the last view. Several lanes (core::run_lanes)
@@ -55,15 +46,7 @@ class ViewBench {
                                                                    std::size_t first);
     /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
-        const std::vector<harness::MethodConfig>& configs,
-        std::size_t scene,
-        Preparation preparation);
-    /// Takes methods that are no longer needed: the next ones that are made ready as copies take
-    /// over what these have prepared, if they can (Method::prepare_like). They go one by one as
-    /// others come, and all when methods() is called.
-    void leave(std::size_t scene, std::vector<std::unique_ptr<harness::PreparedMethod>> methods) {
-        desk_of(scene).left = std::move(methods);
-    }
+        const std::vector<harness::MethodConfig>& configs, std::size_t scene);
 
     /// Lets go what is kept of a scene.
     void release(std::size_t scene) { desks_[scene] = {}; }
@@ -73,10 +56,9 @@ class ViewBench {
     struct Desk {
         std::unique_ptr<truth::SceneModel> model = {};
         std::unique_ptr<harness::MissPredictor> predictor = {};
-        std::unique_ptr<scene::SharedWork> shared = {};
+        std::unique_ptr<scene::PreparedScene> prepared = {};
         std::vector<std::unique_ptr<harness::PreparedMethod>> methods = {};
         std::size_t first_method = 0;
-        std::vector<std::unique_ptr<harness::PreparedMethod>> left = {};
         const scene::View* traced_view = nullptr;
         harness::TracedView traced = {};
     };

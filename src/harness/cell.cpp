@@ -7,17 +7,16 @@
 
 #include "harness/timing.h"
 #include "harness/view_lists.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::harness {
 namespace {
 
-/// Nanoseconds that a stage of making ready took, or would have taken if nothing had been shared.
+/// Nanoseconds that a stage of making ready would take if it made all by itself.
 template <class Work>
-std::int64_t stage_ns(Work work) {
-    const std::int64_t saved_before_ns = scene::SharedWork::saved_ns();
+std::int64_t stage_ns(const scene::PreparedScene& scene, Work work) {
+    const std::int64_t saved_before_ns = scene.saved_ns();
     const std::int64_t ns = time_ns(work);
-    return ns + scene::SharedWork::saved_ns() - saved_before_ns;
+    return ns + scene.saved_ns() - saved_before_ns;
 }
 
 /// Nearest rank, so that a quantile is always a time that was measured.
@@ -129,24 +128,14 @@ std::size_t most_at_once(const scene::Scene& scene, std::size_t triangles_at_onc
     return std::max<std::size_t>(1, triangles_at_once / triangles);
 }
 
-PreparedMethod::PreparedMethod(const MethodConfig& config,
-                               const scene::Scene& scene,
-                               std::span<const std::unique_ptr<PreparedMethod>> others)
+PreparedMethod::PreparedMethod(const MethodConfig& config, const scene::PreparedScene& scene)
     : config_(config) {
     settings_ = config.info->complete(config.settings);
     threshold_ = threshold_of(config);
     method_ = config.info->make(config.settings);
     failure_ = failure_of([&] {
-        const auto same = std::find_if(others.begin(), others.end(), [&](const auto& other) {
-            return other->failure().empty() && method_->prepare_like(other->method(), scene);
-        });
-        if (same != others.end()) {
-            taken_from_ = static_cast<std::size_t>(same - others.begin());
-            prepare_ns_ = (*same)->prepare_ns_;
-        } else {
-            prepare_ns_ = stage_ns([&] { method_->prepare(scene); });
-        }
-        pose_ns_ = stage_ns([&] { method_->pose(scene); });
+        prepare_ns_ = stage_ns(scene, [&] { method_->prepare(scene); });
+        pose_ns_ = stage_ns(scene, [&] { method_->pose(scene); });
     });
 }
 

@@ -86,17 +86,12 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
 /// One method made ready for one scene: prepared, posed, both timed.
 class PreparedMethod {
   public:
-    /// Makes and prepares, where it can by taking over what one of `others` prepared for the same
-    /// scene (Method::prepare_like): its preparation then counts as long as theirs took. A method
-    /// that throws is not prepared: see `failure`.
-    PreparedMethod(const MethodConfig& config,
-                   const scene::Scene& scene,
-                   std::span<const std::unique_ptr<PreparedMethod>> others = {});
+    /// Makes, prepares and poses. What `scene` has already made counts as long as it took to make,
+    /// as often as the method asks for it. A method that throws is not prepared: see `failure`.
+    PreparedMethod(const MethodConfig& config, const scene::PreparedScene& scene);
 
     [[nodiscard]] const MethodConfig& config() const { return config_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
-    /// Which of `others` it took its preparation from; nothing if from none.
-    [[nodiscard]] std::optional<std::size_t> taken_from() const { return taken_from_; }
     [[nodiscard]] method::Method& method() { return *method_; }
     [[nodiscard]] int threshold() const { return threshold_; }
     /// A row with everything that is known before a view is drawn.
@@ -106,7 +101,6 @@ class PreparedMethod {
     MethodConfig config_;
     std::unique_ptr<method::Method> method_;
     std::string failure_;
-    std::optional<std::size_t> taken_from_;
     core::ParamValues settings_;
     int threshold_ = 128;
     std::int64_t prepare_ns_ = 0;

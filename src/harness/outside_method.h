@@ -26,8 +26,11 @@ class OutsideMethod : public method::Method {
   public:
     explicit OutsideMethod(OutsideSource source) : source_(std::move(source)) {}
 
-    void prepare(const scene::Scene& scene) override { scene_ = &scene; }
-    void pose(const scene::Scene& scene) override { scene_ = &scene; }
+    void prepare(const scene::PreparedScene& scene) override { pose(scene); }
+    void pose(const scene::PreparedScene& scene) override {
+        const scene::Scene& of = scene;
+        scene_ = &of;
+    }
     /// Throws core::Error as the source does.
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         OutsideImage drawn = source_(*scene_, frame.view);

@@ -18,6 +18,7 @@
 #include "raster/depth/depth.h"
 #include "raster/pass/pass.h"
 #include "raster/skips.h"
+#include "scene/prepared_scene.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -80,22 +81,14 @@ class Method {
   public:
     virtual ~Method() = default;
 
-    /// Once per topology: adjacency, patches, labels, normals. The scene outlives the method's use
-    /// of it.
-    virtual void prepare(const scene::Scene& scene) = 0;
-
-    /// The same as prepare, but by taking over what `other`, prepared for the same scene with other
-    /// settings, has made and this method would make again. False, with nothing done, if there is
-    /// nothing of the kind: then prepare has to be called. Many settings of one method share their
-    /// preparation so.
-    [[nodiscard]] virtual bool prepare_like(const Method& /*other*/,
-                                            const scene::Scene& /*scene*/) {
-        return false;
-    }
+    /// Once per topology: adjacency, patches, labels, normals. What others make of a scene as well
+    /// is asked of `scene`, which makes it once for all. The scene outlives the method's use of it;
+    /// what it was prepared as does not.
+    virtual void prepare(const scene::PreparedScene& scene) = 0;
 
     /// Whenever a vertex or an instance moved, and once after prepare: world positions and what
     /// depends on them. `scene` has the topology that was prepared.
-    virtual void pose(const scene::Scene& scene) = 0;
+    virtual void pose(const scene::PreparedScene& scene) = 0;
 
     /// Once per frame: everything it does there, its own rasterization included. `out` arrives with
     /// the view's size and any content, and leaves with an edge response in every pixel.

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "scene/face_graph.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -241,7 +240,9 @@ class Grower {
     glm::dvec3 n_sum_{0};
 };
 
-Clusters grow_clusters(const Surface& surface) {
+}  // namespace
+
+Clusters make_clusters(const Surface& surface) {
     Clusters clusters;
     const FaceGraph graph = make_face_graph(surface);
     clusters.solids.resize(graph.is_closed.size());
@@ -255,15 +256,6 @@ Clusters grow_clusters(const Surface& surface) {
     Grower(surface, graph, clusters).grow_all();
     refresh(surface, clusters);
     return clusters;
-}
-
-}  // namespace
-
-Clusters make_clusters(const Surface& surface) {
-    SharedWork* work = SharedWork::current();
-    const std::string name = work == nullptr ? "" : work->name_of(surface);
-    if (name.empty()) return grow_clusters(surface);
-    return work->get("clusters of " + name, [&] { return grow_clusters(surface); });
 }
 
 }  // namespace ink::scene

@@ -12,7 +12,6 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "scene/box.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -89,7 +88,9 @@ void for_each_corner(const Scene& scene, Visit visit) {
     }
 }
 
-Sphere sphere_of(const Scene& scene) {
+}  // namespace
+
+Sphere bounding_sphere(const Scene& scene) {
     // The box's centre, and the farthest corner from it: at most sqrt(3) too large, and stable.
     Box box;
     for_each_corner(scene, [&](const glm::dvec3& p) { box.add(p); });
@@ -100,8 +101,6 @@ Sphere sphere_of(const Scene& scene) {
     });
     return sphere;
 }
-
-}  // namespace
 
 std::string_view split_name(Split split) {
     constexpr std::array<std::string_view, 3> kNames{"train", "heldout", "real"};
@@ -120,10 +119,6 @@ std::size_t triangle_count(const Scene& scene) {
     return count;
 }
 
-Sphere bounding_sphere(const Scene& scene) {
-    return shared(scene, "bounds", [&] { return sphere_of(scene); });
-}
-
 void check_scene(const Scene& scene) {
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         check_mesh(scene.meshes[m], fmt::format("{}, mesh {}", scene.name, m));
@@ -137,9 +132,7 @@ void check_scene(const Scene& scene) {
     }
 }
 
-namespace {
-
-std::uint64_t hash_of(const Scene& scene) {
+std::uint64_t scene_hash(const Scene& scene) {
     core::Hasher hasher;
     for (const Mesh& mesh : scene.meshes) {
         hasher.items(std::span(mesh.positions)).items(std::span(mesh.normals));
@@ -150,12 +143,6 @@ std::uint64_t hash_of(const Scene& scene) {
         hasher.value(instance.mesh).value(instance.world_from_object);
     }
     return hasher.result();
-}
-
-}  // namespace
-
-std::uint64_t scene_hash(const Scene& scene) {
-    return shared(scene, "hash", [&] { return hash_of(scene); });
 }
 
 std::vector<Camera> orbit_cameras(const Sphere& bounds, int count, double width_over_height) {

@@ -223,14 +223,15 @@ void count_components(const Topology& topology, SceneStatistics& statistics) {
 
 }  // namespace
 
-SceneStatistics make_scene_statistics(const Scene& scene, double crease_rad) {
-    const Topology topology = weld(scene);
+SceneStatistics make_scene_statistics(const PreparedScene& scene, double crease_rad) {
+    const auto welded = scene.topology();
+    const Topology& topology = *welded;
     SceneStatistics statistics;
     statistics.crease_rad = crease_rad;
     statistics.triangles = topology.faces.size();
     statistics.vertices = topology.p_world.size();
-    statistics.objects = scene.instances.size();
-    statistics.bounds = bounding_sphere(scene);
+    statistics.objects = scene->instances.size();
+    statistics.bounds = scene.bounds();
     if (topology.faces.empty()) return statistics;
     std::set<std::uint32_t> materials;
     for (const Face& face : topology.faces)
@@ -239,7 +240,7 @@ SceneStatistics make_scene_statistics(const Scene& scene, double crease_rad) {
     count_edges(topology, statistics);
     count_components(topology, statistics);
     statistics.cracked_corners = count_cracked_corners(topology);
-    statistics.extent_ratio = extent_ratio(topology, scene.instances.size());
+    statistics.extent_ratio = extent_ratio(topology, scene->instances.size());
     return statistics;
 }
 

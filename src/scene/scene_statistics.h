@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "scene/camera.h"
+#include "scene/prepared_scene.h"
 #include "scene/scene.h"
 #include "scene/topology.h"
 
@@ -80,7 +81,7 @@ inline constexpr double kCrackShare = 1e-4;
 
 /// The scene statistics of `scene`, welded at the same places. O(n log n). An empty scene gives
 /// zeros.
-[[nodiscard]] SceneStatistics make_scene_statistics(const Scene& scene, double crease_rad);
+[[nodiscard]] SceneStatistics make_scene_statistics(const PreparedScene& scene, double crease_rad);
 
 /// What one view sees of it.
 struct ViewStatistics {

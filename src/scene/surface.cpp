@@ -1,7 +1,5 @@
 #include "scene/surface.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -11,7 +9,7 @@
 #include "core/disjoint_sets.h"
 #include "scene/precision/rounding.h"
 #include "scene/predicates.h"
-#include "scene/sharing/shared_work.h"
+#include "scene/prepared_scene.h"
 
 namespace ink::scene {
 namespace {
@@ -80,8 +78,9 @@ glm::vec3 unit_or_z(const glm::dvec3& v) {
     return length > 0 ? glm::vec3(v / length) : glm::vec3(0, 0, 1);
 }
 
-Surface patch_surface(const Scene& scene, double crease_rad) {
-    const Topology topology = weld(scene);
+Surface patch_surface(const PreparedScene& scene, double crease_rad) {
+    const auto welded = scene.topology();
+    const Topology& topology = *welded;
     core::DisjointSets sets = join_smooth_corners(topology, crease_rad);
 
     std::vector<glm::dvec3> sums(topology.faces.size() * 3, glm::dvec3(0));
@@ -179,10 +178,10 @@ Surface mesh_surface(const Scene& scene, bool with_normals) {
 }
 
 /// File normals where a mesh has them, patch normals where it has none.
-Surface file_surface(const Scene& scene, double crease_rad) {
+Surface file_surface(const PreparedScene& scene, double crease_rad) {
     const bool all =
-        std::all_of(scene.instances.begin(), scene.instances.end(), [&](auto& instance) {
-            const Mesh& mesh = scene.meshes[instance.mesh];
+        std::all_of(scene->instances.begin(), scene->instances.end(), [&](auto& instance) {
+            const Mesh& mesh = scene->meshes[instance.mesh];
             return mesh.normals.size() == mesh.positions.size();
         });
     if (all) return mesh_surface(scene, true);
@@ -203,7 +202,17 @@ Surface file_surface(const Scene& scene, double crease_rad) {
     return surface;
 }
 
-Surface surface_of(const Scene& scene, NormalSource source, double crease_rad) {
+}  // namespace
+
+Surface flatten(const Scene& scene) {
+    return mesh_surface(scene, false);
+}
+
+Surface flatten(const Scene& scene, NormalSource source, double crease_rad) {
+    return flatten(PreparedScene(scene), source, crease_rad);
+}
+
+Surface flatten(const PreparedScene& scene, NormalSource source, double crease_rad) {
     switch (source) {
         case NormalSource::file:
             return file_surface(scene, crease_rad);
@@ -213,18 +222,6 @@ Surface surface_of(const Scene& scene, NormalSource source, double crease_rad) {
             return facet_surface(scene);
     }
     return {};
-}
-
-}  // namespace
-
-Surface flatten(const Scene& scene) {
-    return shared(scene, kSurfaceName, [&] { return mesh_surface(scene, false); });
-}
-
-Surface flatten(const Scene& scene, NormalSource source, double crease_rad) {
-    const std::string name =
-        fmt::format("{} {} {}", kSurfaceName, static_cast<int>(source), crease_rad);
-    return shared(scene, name, [&] { return surface_of(scene, source, crease_rad); });
 }
 
 std::vector<std::int8_t> facings(const Surface& surface, const glm::dvec3& eye_world) {

@@ -1,7 +1,5 @@
 #include "scene/topology.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -15,7 +13,6 @@
 #include "scene/precision/rounding.h"
 #include "scene/precision/written_digits.h"
 #include "scene/predicates.h"
-#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -259,7 +256,9 @@ glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) 
     return to_opposite - along * glm::dot(along, to_opposite);
 }
 
-Topology weld_anew(const Scene& scene, const WeldOptions& options) {
+}  // namespace
+
+Topology weld(const Scene& scene, const WeldOptions& options) {
     Topology topology;
     Moves moves = options.epsilon > 0 ? Moves(scene, options.epsilon) : Moves();
     topology.counts.joined_vertices = moves.joined();
@@ -269,18 +268,11 @@ Topology weld_anew(const Scene& scene, const WeldOptions& options) {
     return topology;
 }
 
-}  // namespace
-
 bool runs_forward(const Face& face, const Edge& edge) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
     }
     return false;
-}
-
-Topology weld(const Scene& scene, const WeldOptions& options) {
-    return shared(
-        scene, fmt::format("weld {}", options.epsilon), [&] { return weld_anew(scene, options); });
 }
 
 std::uint32_t opposite_vertex(const Face& face, const Edge& edge) {

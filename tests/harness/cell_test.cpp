@@ -18,10 +18,10 @@ class Puppet final : public method::Method {
     };
     explicit Puppet(Script& script) : script_(script) {}
 
-    void prepare(const scene::Scene&) override {
+    void prepare(const scene::PreparedScene&) override {
         if (script_.fail_in == "prepare") throw core::Error("puppet", "it will not prepare");
     }
-    void pose(const scene::Scene&) override {}
+    void pose(const scene::PreparedScene&) override {}
     void draw(const method::Frame&, edge::EdgeImage& out) override {
         if (script_.fail_in == "draw") throw std::runtime_error("out of ink");
         out.fill(0);

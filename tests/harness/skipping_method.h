@@ -24,8 +24,8 @@ struct SkipScript {
 class SkippingMethod final : public method::Method {
   public:
     explicit SkippingMethod(SkipScript& script) : script_(script) {}
-    void prepare(const scene::Scene&) override {}
-    void pose(const scene::Scene& scene) override { script_.poses.push_back(scene); }
+    void prepare(const scene::PreparedScene&) override {}
+    void pose(const scene::PreparedScene& scene) override { script_.poses.push_back(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         if (!script_.failure.empty()) throw std::runtime_error(script_.failure);
         script_.frames.push_back(frame);

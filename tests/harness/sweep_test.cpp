@@ -11,8 +11,8 @@ namespace {
 class Stroke final : public method::Method {
   public:
     explicit Stroke(int edge_response) : edge_response_(edge_response) {}
-    void prepare(const scene::Scene&) override {}
-    void pose(const scene::Scene&) override {}
+    void prepare(const scene::PreparedScene&) override {}
+    void pose(const scene::PreparedScene&) override {}
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         if (edge_response_ == 13) throw std::runtime_error("out of ink");
         out.fill(0);

@@ -125,19 +125,6 @@ TEST_P(Hinge, KeepsTilesInFramesThatLeaveTheTopologyAlone) {
     EXPECT_GT(kept, tiles / 2);
 }
 
-TEST_P(Hinge, HandsOverNoPreparationOfAnotherPose) {
-    const std::vector<Step> steps = without_animation(frames_of({10, 80}));
-    const auto first = info().make({});
-    first->prepare(steps[0].scene);
-    first->pose(steps[1].scene);
-    const auto second = info().make({});
-    if (!second->prepare_like(*first, steps[0].scene)) second->prepare(steps[0].scene);
-    second->pose(steps[0].scene);
-    const MakeMethod make = [&] { return info().make({}); };
-    EXPECT_EQ(drawn_over_garbage(*second, {steps[0].view, 1, {}}),
-              drawn_scalar(make, steps[0].scene, steps[0].view));
-}
-
 TEST_P(Hinge, IsSeenToFold) {
     // The crease stands between 36 and 45 degrees: a method that draws creases shows it.
     static_assert(36 < kCrease_deg && kCrease_deg < 45);

@@ -10,8 +10,8 @@ namespace ink::methods {
 namespace {
 
 SmoothMesh mesh_of(const std::string& scene) {
-    return make_smooth_mesh(catalogue::make_catalogue_scene(scene),
-                            {.crease_rad = 40 * std::numbers::pi / 180, .weld_epsilon = 1e-4});
+    return *make_smooth_mesh(catalogue::make_catalogue_scene(scene),
+                             {.crease_rad = 40 * std::numbers::pi / 180, .weld_epsilon = 1e-4});
 }
 
 TEST(SeenDifference, IsTheLeastThatAStencilMaySee) {

@@ -190,8 +190,8 @@ INSTANTIATE_TEST_SUITE_P(Every,
 class Cheat final : public method::Method {
   public:
     Cheat(Skip skip, bool is_forgetful) : skip_(skip), is_forgetful_(is_forgetful) {}
-    void prepare(const scene::Scene& scene) override { inner_->prepare(scene); }
-    void pose(const scene::Scene& scene) override { inner_->pose(scene); }
+    void prepare(const scene::PreparedScene& scene) override { inner_->prepare(scene); }
+    void pose(const scene::PreparedScene& scene) override { inner_->pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         if (is_forgetful_) return draw_if_seen_from_elsewhere(frame, out);
         inner_->draw(frame, out);

@@ -27,7 +27,7 @@ void add_quad(scene::Mesh& mesh, const glm::vec3& p, const glm::vec3& u, const g
 }
 
 std::uint32_t patches(const scene::Scene& scene) {
-    return make_smooth_mesh(scene, kOptions).patch_count;
+    return make_smooth_mesh(scene, kOptions)->patch_count;
 }
 
 /// Two flat squares side by side, and a third that leaves their common edge at a slope.
@@ -40,7 +40,7 @@ scene::Mesh three_sheets(float rise) {
 }
 
 TEST(SmoothMesh, AWallGoesOnBehindAnotherThatMeetsIt) {
-    const SmoothMesh mesh = make_smooth_mesh(scene_of({three_sheets(3)}), kOptions);
+    const SmoothMesh mesh = *make_smooth_mesh(scene_of({three_sheets(3)}), kOptions);
     EXPECT_EQ(mesh.patch_count, 2U);
     EXPECT_EQ(mesh.patch_of[0], mesh.patch_of[2]);
     EXPECT_EQ(mesh.borders.size(), 2U);  // of the wall with either side
@@ -60,7 +60,7 @@ scene::Mesh t_junction(float gap, float rise) {
 }
 
 TEST(SmoothMesh, ASurfaceGoesOnOverATJunction) {
-    const SmoothMesh mesh = make_smooth_mesh(scene_of({t_junction(0, 0.3F)}), kOptions);
+    const SmoothMesh mesh = *make_smooth_mesh(scene_of({t_junction(0, 0.3F)}), kOptions);
     EXPECT_EQ(mesh.patch_count, 1U);
     EXPECT_EQ(mesh.touching.size(), 2U);
     EXPECT_TRUE(mesh.borders.empty());
@@ -119,7 +119,7 @@ TEST(SmoothMesh, TrianglesThatWeldingLeftNoAreaFollowThoseRoundThem) {
         }
     }
     const scene::Scene scene = scene_of({mesh});
-    const SmoothMesh smooth = make_smooth_mesh(scene, kOptions);
+    const SmoothMesh smooth = *make_smooth_mesh(scene, kOptions);
     EXPECT_LT(smooth.face_count(), mesh.triangles.size());
     for (const std::uint32_t face : faces_of_triangles(scene, smooth.topology))
         EXPECT_NE(face, SmoothMesh::kNone);

@@ -138,7 +138,7 @@ TEST_P(RandomMesh, ATriangleThatRepeatsAFaceHasItsCode) {
 }
 
 TEST_P(RandomMesh, DistancesDifferByNoMoreThanWaysCost) {
-    const SmoothMesh mesh = make_smooth_mesh(scene_, options().patches);
+    const SmoothMesh mesh = *make_smooth_mesh(scene_, options().patches);
     for (const double turn_rad : {0.02, 0.5}) {
         SurfaceGraph graph(mesh, {.turn_rad = turn_rad, .length_world = {}});
         if (GetParam() % 3 == 0) steepen_short_slits(mesh, graph);
@@ -171,7 +171,7 @@ std::int32_t way_between(const SurfaceGraph& graph, std::uint32_t from, std::uin
 }
 
 TEST_P(RandomMesh, SpreadFindsTheShortestWays) {
-    const SmoothMesh mesh = make_smooth_mesh(scene_, options().patches);
+    const SmoothMesh mesh = *make_smooth_mesh(scene_, options().patches);
     const SurfaceGraph graph(mesh, {.turn_rad = 0.1, .length_world = {}});
     // Bellman and Ford's: relax all ways until nothing gives.
     std::vector<std::int64_t> plain(graph.node_count(),
@@ -228,7 +228,7 @@ TEST(SurfaceCodes, PartsBothSidesOfACreaseThatEndsInsideAPatch) {
 TEST(SurfaceCodes, LiftingPartsWhatDistanceAloneDoesNot) {
     std::size_t edges = 0, parted = 0, parted_alone = 0;
     for (int seed = 0; seed < 60; ++seed) {
-        const SmoothMesh mesh = make_smooth_mesh(scene_of(random_mesh(seed)), options().patches);
+        const SmoothMesh mesh = *make_smooth_mesh(scene_of(random_mesh(seed)), options().patches);
         const SurfaceGraph graph(mesh, {.turn_rad = options().turn_rad, .length_world = {}});
         SlitCount lifted, alone;
         (void)surface_distance(mesh, graph, End::first, 10, &lifted);
@@ -255,7 +255,7 @@ TEST(SurfaceCodes, SteepWaysPartCreasesTooShortForOthers) {
     std::size_t creases = 0, parted = 0, parted_before = 0;
     for (int seed = 0; seed < 60; ++seed) {
         const scene::Scene scene = scene_of(random_mesh(seed));
-        const SmoothMesh mesh = make_smooth_mesh(scene, options().patches);
+        const SmoothMesh mesh = *make_smooth_mesh(scene, options().patches);
         // Triangles far below the length of a step: without steep ways all is level.
         SurfaceGraph graph(mesh,
                            {.turn_rad = options().turn_rad,
@@ -362,7 +362,7 @@ TEST(SurfaceCodes, ASecondByteStandsAboveTheFirstAndDiffersFromIt) {
 
 TEST(SurfaceCodes, AnEmptySceneHasNone) {
     SurfaceCodes made(options());
-    made.prepare({});
+    made.prepare(scene::Scene{});
     EXPECT_TRUE(made.codes({}).empty());
     EXPECT_EQ(made.largest_object(), 0);
 }

@@ -123,8 +123,8 @@ TEST(StressRows, AMethodThatThrowsIsLost) {
 /// Draws an image of a size that nobody asked for.
 class Misfit final : public method::Method {
   public:
-    void prepare(const scene::Scene&) override {}
-    void pose(const scene::Scene&) override {}
+    void prepare(const scene::PreparedScene&) override {}
+    void pose(const scene::PreparedScene&) override {}
     void draw(const method::Frame&, edge::EdgeImage& out) override { out = edge::EdgeImage(3, 5); }
     int bytes_per_px() const override { return 1; }
 };
@@ -236,8 +236,8 @@ TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
 class Overflowing final : public method::Method {
   public:
     Overflowing(bool wraps, double offset) : wraps_(wraps), offset_(offset) {}
-    void prepare(const scene::Scene&) override {}
-    void pose(const scene::Scene&) override {}
+    void prepare(const scene::PreparedScene&) override {}
+    void pose(const scene::PreparedScene&) override {}
     void draw(const method::Frame&, edge::EdgeImage&) override {}
     std::vector<method::Layer> layers(const method::Frame&) override {
         core::Image<glm::u8vec3> packed(4, 1);

@@ -17,8 +17,8 @@ using testing::HasSubstr;
 class Puppet final : public method::Method {
   public:
     explicit Puppet(bool fails) : fails_(fails) {}
-    void prepare(const scene::Scene&) override {}
-    void pose(const scene::Scene&) override {}
+    void prepare(const scene::PreparedScene&) override {}
+    void pose(const scene::PreparedScene&) override {}
     void draw(const method::Frame&, edge::EdgeImage& out) override {
         if (fails_ && drawings_ > 0) throw std::runtime_error("out of ink");
         out.fill(0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace ink::raster {
 namespace {
@@ -12,8 +13,8 @@ bool is_float(double v) {
 
 }  // namespace
 
-LaneMesh::LaneMesh(const scene::Surface& surface)
-    : surface_(&surface), clusters_(scene::make_clusters(surface)) {
+LaneMesh::LaneMesh(const scene::Surface& surface, scene::Clusters clusters)
+    : surface_(&surface), clusters_(std::move(clusters)) {
     lay_out();
     fill();
 }

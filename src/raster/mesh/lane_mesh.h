@@ -30,8 +30,10 @@ inline constexpr std::size_t kLanePad = 16;
 class LaneMesh {
   public:
     LaneMesh() = default;
-    /// `surface` is borrowed for the mesh's life. Normals may be missing.
-    explicit LaneMesh(const scene::Surface& surface);
+    /// `surface` is borrowed for the mesh's life; `clusters` are its own. Normals may be missing.
+    LaneMesh(const scene::Surface& surface, scene::Clusters clusters);
+    explicit LaneMesh(const scene::Surface& surface)
+        : LaneMesh(surface, scene::make_clusters(surface)) {}
 
     /// Takes the positions, normals, bounds and cones of a surface of the same triangles, corner by
     /// corner, that has moved.

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <list>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "scene/scene.h"
+
+namespace ink::scene {
+
+enum class NormalSource;
+struct Surface;
+struct Topology;
+
+/// A scene, and what was worked out of it: welded, flattened, cut into clusters, each made when it
+/// is first asked for and kept for who asks next.
+///
+/// The scene is borrowed and must not change meanwhile. A scene stands for itself with nothing made
+/// yet, so that whoever takes a PreparedScene takes a Scene, too. For one thread at a time.
+class PreparedScene {
+  public:
+    /// Keeps the `most` results that were asked for last; who holds one of them may keep it longer.
+    PreparedScene(const Scene& scene, std::size_t most = std::numeric_limits<std::size_t>::max())
+        : scene_(scene), most_(most) {}
+    PreparedScene(const PreparedScene&) = delete;
+    PreparedScene& operator=(const PreparedScene&) = delete;
+
+    operator const Scene&() const { return scene_; }
+    const Scene* operator->() const { return &scene_; }
+
+    /// bounding_sphere() and scene_hash().
+    [[nodiscard]] Sphere bounds() const;
+    [[nodiscard]] std::uint64_t hash() const;
+    /// weld() with this epsilon.
+    [[nodiscard]] std::shared_ptr<const Topology> topology(double epsilon = 0) const;
+    /// flatten(), without normals and with them.
+    [[nodiscard]] std::shared_ptr<const Surface> surface() const;
+    [[nodiscard]] std::shared_ptr<const Surface> surface(NormalSource source,
+                                                         double crease_rad) const;
+
+    /// The result of that name; `make` makes it if it is not there. A name says all that the result
+    /// depends on beside the scene, its type included.
+    template <class Make>
+    [[nodiscard]] auto get(const std::string& name, Make make) const {
+        using Result = std::decay_t<decltype(make())>;
+        if (const Kept* kept = find(name)) {
+            saved_ns_ += kept->made_ns;
+            return std::static_pointer_cast<const Result>(kept->result);
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const std::int64_t saved_before_ns = saved_ns_;
+        auto made = std::make_shared<const Result>(make());
+        const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - start;
+        keep({name, made, took.count() + saved_ns_ - saved_before_ns});
+        return made;
+    }
+
+    /// Nanoseconds that it took to make what was there already when it was asked for. Who times a
+    /// stage adds what this grew by, and has the time of a stage that makes all by itself.
+    [[nodiscard]] std::int64_t saved_ns() const { return saved_ns_; }
+
+  private:
+    struct Kept {
+        std::string name;
+        std::shared_ptr<const void> result;
+        std::int64_t made_ns = 0;
+    };
+
+    [[nodiscard]] const Kept* find(const std::string& name) const;
+    void keep(Kept kept) const;
+
+    const Scene& scene_;
+    std::size_t most_;
+    mutable std::list<Kept> kept_;  ///< the last asked for first
+    mutable std::int64_t saved_ns_ = 0;
+};
+
+/// flatten() by the topology that is kept.
+[[nodiscard]] Surface flatten(const PreparedScene& scene, NormalSource source, double crease_rad);
+
+}  // namespace ink::scene
