@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "scene/box.h"
 #include "scene/face_graph.h"
 
 namespace ink::scene {
