@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace ink::core {
 
@@ -22,6 +23,20 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk, int threads, cons
         for (std::size_t i = part * chunk; i < end; ++i)
             body(i);
     });
+}
+
+/// Calls `body(begin, end, part)` for each chunk of `chunk` of the i, with a part of its own, and
+/// returns the parts in order.
+template <class Part, class Body>
+std::vector<Part> parallel_parts(std::size_t count,
+                                 std::size_t chunk,
+                                 int threads,
+                                 const Body& body) {
+    std::vector<Part> parts((count + chunk - 1) / chunk);
+    parallel_for(parts.size(), threads, [&](std::size_t i) {
+        body(i * chunk, std::min(count, (i + 1) * chunk), parts[i]);
+    });
+    return parts;
 }
 
 /// The number of hardware threads, at least 1: the default of every `--threads`.

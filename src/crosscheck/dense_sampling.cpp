@@ -215,11 +215,7 @@ class Looking {
     /// Calls `body(begin, end, part)` for each chunk of that size, with a part of its own.
     template <class Body>
     std::vector<Part> in_chunks(std::size_t count, std::size_t size, const Body& body) const {
-        std::vector<Part> parts((count + size - 1) / size);
-        core::parallel_for(parts.size(), options_.threads, [&](std::size_t chunk) {
-            body(chunk * size, std::min(count, (chunk + 1) * size), parts[chunk]);
-        });
-        return parts;
+        return core::parallel_parts<Part>(count, size, options_.threads, body);
     }
 
     /// Adds what the parts found; true if they marked a cell.

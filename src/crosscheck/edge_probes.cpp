@@ -266,19 +266,17 @@ class Prober {
 EdgeProbes probe_edges(const SampleCells& cells, const SightRays& rays, int threads) {
     const ClipMesh& mesh = rays.mesh();
     const std::size_t count = mesh.topology().edges.size();
-    std::vector<EdgeProbes> parts((count + kChunk - 1) / kChunk);
-    core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
-        Prober prober(cells, rays, parts[chunk]);
-        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-        for (std::size_t e = chunk * kChunk; e < end; ++e) {
+    const auto probe = [&](std::size_t begin, std::size_t end, EdgeProbes& part) {
+        Prober prober(cells, rays, part);
+        for (std::size_t e = begin; e < end; ++e) {
             const auto edge = static_cast<std::uint32_t>(e);
             if (mesh.is_feature(edge)) prober.add(edge);
             if (prober.is_full()) prober.follow_all();
         }
         prober.follow_all();
-    });
+    };
     EdgeProbes all;
-    for (const EdgeProbes& part : parts) {
+    for (const EdgeProbes& part : core::parallel_parts<EdgeProbes>(count, kChunk, threads, probe)) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
         all.ways.insert(all.ways.end(), part.ways.begin(), part.ways.end());
         all.counts += part.counts;

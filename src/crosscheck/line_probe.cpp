@@ -104,43 +104,47 @@ class Places {
     const ClipMesh& mesh_;
 };
 
+/// What `judge(rays, claim)` says of each.
+template <class Judge>
+std::vector<char> judge_all(const scene::Topology& topology,
+                            const scene::View& view,
+                            const SamplingOptions& options,
+                            std::span<const ClaimedPoint> claims,
+                            const Judge& judge) {
+    std::vector<char> judged(claims.size(), 0);
+    if (claims.empty()) return judged;
+    const ClipMesh mesh(topology, view, options);
+    std::vector<glm::dvec2> places;
+    for (const ClaimedPoint& claim : claims)
+        places.push_back(claim.p_px);
+    const PlainRays rays(mesh, places);
+    core::parallel_for(
+        claims.size(), options.threads, [&](std::size_t i) { judged[i] = judge(rays, claims[i]); });
+    return judged;
+}
+
 }  // namespace
 
 std::vector<char> see_claimed_lines(const scene::Topology& topology,
                                     const scene::View& view,
                                     const SamplingOptions& options,
                                     std::span<const ClaimedPoint> claims) {
-    std::vector<char> is_seen(claims.size(), 0);
-    if (claims.empty()) return is_seen;
-    const ClipMesh mesh(topology, view, options);
-    std::vector<glm::dvec2> places;
-    for (const ClaimedPoint& claim : claims)
-        places.push_back(claim.p_px);
-    const PlainRays rays(mesh, places);
-    core::parallel_for(claims.size(), options.threads, [&](std::size_t i) {
-        is_seen[i] = std::any_of(kRadii_px.begin(), kRadii_px.end(), [&](double radius_px) {
-            return sees_line(rays, claims[i], radius_px);
-        });
-    });
-    return is_seen;
+    const auto is_seen = [](const PlainRays& rays, const ClaimedPoint& claim) {
+        return std::ranges::any_of(
+            kRadii_px, [&](double radius_px) { return sees_line(rays, claim, radius_px); });
+    };
+    return judge_all(topology, view, options, claims, is_seen);
 }
 
 std::vector<char> find_open_places(const scene::Topology& topology,
                                    const scene::View& view,
                                    const SamplingOptions& options,
                                    std::span<const ClaimedPoint> claims) {
-    std::vector<char> is_open(claims.size(), 0);
-    if (claims.empty() || topology.written_rounding_world.empty()) return is_open;
-    const ClipMesh mesh(topology, view, options);
-    std::vector<glm::dvec2> places;
-    for (const ClaimedPoint& claim : claims)
-        places.push_back(claim.p_px);
-    const PlainRays rays(mesh, places);
-    const Places look(rays);
-    core::parallel_for(claims.size(), options.threads, [&](std::size_t i) {
-        is_open[i] = look.is_open(claims[i].p_px);
-    });
-    return is_open;
+    if (topology.written_rounding_world.empty()) return std::vector<char>(claims.size(), 0);
+    return judge_all(
+        topology, view, options, claims, [](const PlainRays& rays, const ClaimedPoint& claim) {
+            return Places(rays).is_open(claim.p_px);
+        });
 }
 
 }  // namespace ink::crosscheck

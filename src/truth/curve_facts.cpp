@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "core/parallel.h"
@@ -128,16 +129,12 @@ std::size_t fill_curve_facts(const EyeView& eye,
                              std::span<Curve> curves,
                              int threads) {
     const Visibility visibility(eye, scene);
-    std::vector<std::size_t> rays((curves.size() + kChunk - 1) / kChunk, 0);
-    core::parallel_for(rays.size(), threads, [&](std::size_t chunk) {
-        const std::size_t end = std::min(curves.size(), (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i)
-            rays[chunk] += fill_one(eye, visibility, curves[i]);
-    });
-    std::size_t sum = 0;
-    for (const std::size_t n : rays)
-        sum += n;
-    return sum;
+    const auto fill = [&](std::size_t begin, std::size_t end, std::size_t& rays) {
+        for (Curve& curve : curves.subspan(begin, end - begin))
+            rays += fill_one(eye, visibility, curve);
+    };
+    const auto rays = core::parallel_parts<std::size_t>(curves.size(), kChunk, threads, fill);
+    return std::reduce(rays.begin(), rays.end());
 }
 
 ContourLengths contour_lengths(std::span<const Curve> curves) {

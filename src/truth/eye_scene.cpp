@@ -48,6 +48,17 @@ RTCRay make_ray(const EyeRay& ray, double scale) {
     return result;
 }
 
+/// Puts a ray into a packet of them.
+template <class Packet>
+void put(const RTCRay& ray, std::size_t i, Packet& packet) {
+    packet.dir_x[i] = ray.dir_x;
+    packet.dir_y[i] = ray.dir_y;
+    packet.dir_z[i] = ray.dir_z;
+    packet.tnear[i] = ray.tnear;
+    packet.tfar[i] = ray.tfar;
+    packet.mask[i] = ray.mask;
+}
+
 void confirm_any(const RTCFilterFunctionNArguments* args) {
     auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
     for (unsigned i = 0; i < args->N; ++i) {
@@ -122,15 +133,8 @@ bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
                              Callback confirm) const {
     EyeSceneQuery query(confirm);
     RTCRay4 packet{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const RTCRay ray = make_ray({directions_world[i], range.t_near, range.t_far}, scale_);
-        packet.dir_x[i] = ray.dir_x;
-        packet.dir_y[i] = ray.dir_y;
-        packet.dir_z[i] = ray.dir_z;
-        packet.tnear[i] = ray.tnear;
-        packet.tfar[i] = ray.tfar;
-        packet.mask[i] = ray.mask;
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+        put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet);
     embree::occluded_4(handles_->scene, query.context, &confirm_any, packet);
     return std::any_of(packet.tfar, packet.tfar + 4, [](float t) { return t < 0; });
 }
@@ -158,13 +162,7 @@ std::array<std::optional<EyeScene::Hit>, 16> EyeScene::first_of_sixteen(
     alignas(64) std::array<int, 16> is_valid{};
     for (std::size_t i = 0; i < 16; ++i) {
         is_valid[i] = (valid >> i & 1U) != 0 ? -1 : 0;
-        const RTCRay ray = make_ray({directions_world[i], range.t_near, range.t_far}, scale_);
-        packet.ray.dir_x[i] = ray.dir_x;
-        packet.ray.dir_y[i] = ray.dir_y;
-        packet.ray.dir_z[i] = ray.dir_z;
-        packet.ray.tnear[i] = ray.tnear;
-        packet.ray.tfar[i] = ray.tfar;
-        packet.ray.mask[i] = ray.mask;
+        put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet.ray);
         packet.ray.id[i] = static_cast<unsigned>(i);
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }

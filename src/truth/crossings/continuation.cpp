@@ -192,11 +192,9 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
     if (borders.empty()) return {};
     const std::vector<scene::Box> boxes = boxes_of(borders);
     const PairTree tree(boxes);
-    std::vector<std::vector<Continuation>> found((topology.faces.size() + kChunk - 1) / kChunk);
-
-    core::parallel_for(found.size(), options.threads, [&](std::size_t chunk) {
-        const std::size_t end = std::min(topology.faces.size(), (chunk + 1) * kChunk);
-        for (std::size_t f = chunk * kChunk; f < end; ++f) {
+    using Found = std::vector<Continuation>;
+    const auto search = [&](std::size_t begin, std::size_t end, Found& found) {
+        for (std::size_t f = begin; f < end; ++f) {
             const Triangle triangle = triangle_of(topology, topology.faces[f]);
             const scene::Box box = scene::box_of(triangle.p);
             tree.for_each_near(box, [&](std::uint32_t i) {
@@ -204,13 +202,13 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
                 auto c = continuation(borders[i], triangle, options);
                 if (!c) return;
                 c->face = static_cast<std::uint32_t>(f);
-                found[chunk].push_back(*c);
+                found.push_back(*c);
             });
         }
-    });
-
-    std::vector<Continuation> all;
-    for (const auto& part : found)
+    };
+    Found all;
+    for (const auto& part :
+         core::parallel_parts<Found>(topology.faces.size(), kChunk, options.threads, search))
         all.insert(all.end(), part.begin(), part.end());
     std::ranges::sort(all, {}, [](const auto& x) { return std::tie(x.edge, x.t_begin, x.face); });
     return without_contacts(topology, all, options.tolerances);
