@@ -262,21 +262,15 @@ scene::Scene make_chess_scene() {
     for (int i = 0; i < 36; ++i) {
         stage.place(block, "block", Pose{{i % 6 - 2.5, 0, i / 6 - 2.5}});
     }
-    const auto stand = [&](std::uint32_t mesh, const char* name, int column, int row) {
-        stage.place(mesh, name, Pose{{column - 2.5, 0.015625, row - 2.5}});
+    using Squares = std::initializer_list<glm::ivec2>;
+    const auto stand = [&](const char* name, const scene::Mesh& mesh, Squares squares) {
+        const auto number = stage.mesh(name, mesh);
+        for (const glm::ivec2& at : squares)
+            stage.place(number, name, Pose{{at.x - 2.5, 0.015625, at.y - 2.5}});
     };
-    const auto pawns = stage.mesh("pawn", pawn());
-    const int places[][2] = {{0, 4}, {1, 4}, {2, 2}, {3, 4}, {4, 3}, {5, 4}, {1, 1}, {3, 1}};
-    for (const auto& [column, row] : places)
-        stand(pawns, "pawn", column, row);
-    const auto rooks = stage.mesh("rook", rook());
-    stand(rooks, "rook", 0, 5);
-    stand(rooks, "rook", 5, 5);
-    stand(rooks, "rook", 4, 0);
-    const auto bishops = stage.mesh("bishop", bishop());
-    stand(bishops, "bishop", 2, 5);
-    stand(bishops, "bishop", 3, 3);
-    stand(bishops, "bishop", 1, 0);
+    stand("pawn", pawn(), {{0, 4}, {1, 4}, {2, 2}, {3, 4}, {4, 3}, {5, 4}, {1, 1}, {3, 1}});
+    stand("rook", rook(), {{0, 5}, {5, 5}, {4, 0}});
+    stand("bishop", bishop(), {{2, 5}, {3, 3}, {1, 0}});
     return stage.finish({{"front", 0, 20}, {"three_quarter", 32, 30}},
                         {{"close", {-2.25, 1.375, 4.5}, {0.25, 0.4375, 0}, 45}});
 }

@@ -30,7 +30,8 @@ glm::dvec2 turn(double angle_rad) {
     return rounded / std::sqrt(rounded.x * rounded.x + rounded.y * rounded.y);
 }
 
-/// The camera turned by `angle_rad` in the plane of axes `from` and `to` of its own view space.
+/// The camera turned by `angle_rad` in the plane of axes `from` and `to` of its own view space: of
+/// 0 and 2 to the right, of 1 and 2 upwards, of 0 and 1 rolled to the left.
 void turn_in_view(Camera& camera, int from, int to, double angle_rad) {
     const glm::dvec2 t = turn(angle_rad);
     const glm::dmat3 world_from_view = glm::transpose(camera.view_from_world);
@@ -38,16 +39,6 @@ void turn_in_view(Camera& camera, int from, int to, double angle_rad) {
     turned[from] = world_from_view[from] * t.x + world_from_view[to] * t.y;
     turned[to] = world_from_view[to] * t.x - world_from_view[from] * t.y;
     camera.view_from_world = glm::transpose(turned);
-}
-
-void yaw_right(Camera& camera, double angle_rad) {
-    turn_in_view(camera, 0, 2, angle_rad);
-}
-void pitch_up(Camera& camera, double angle_rad) {
-    turn_in_view(camera, 1, 2, angle_rad);
-}
-void roll_left(Camera& camera, double angle_rad) {
-    turn_in_view(camera, 0, 1, angle_rad);
 }
 
 /// The whole camera turned about the vertical through `center_world`.
@@ -167,14 +158,14 @@ PathFrame frame_at(const CameraPath& path, int frame) {
             dolly(camera, path.bounds, power(path.growth, frame));
             break;
         case PathKind::pan:
-            yaw_right(camera, frame * path.turn_rad);
+            turn_in_view(camera, 0, 2, frame * path.turn_rad);
             break;
         case PathKind::shake:
-            yaw_right(camera, chance(path.seed, frame, 0) * path.turn_rad);
-            pitch_up(camera, chance(path.seed, frame, 1) * path.turn_rad);
+            turn_in_view(camera, 0, 2, chance(path.seed, frame, 0) * path.turn_rad);
+            turn_in_view(camera, 1, 2, chance(path.seed, frame, 1) * path.turn_rad);
             break;
         case PathKind::roll:
-            roll_left(camera, frame * path.turn_rad);
+            turn_in_view(camera, 0, 1, frame * path.turn_rad);
             break;
     }
     camera.name = fmt::format("{}_{:03}", name(path.kind), frame);

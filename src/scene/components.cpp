@@ -163,9 +163,7 @@ std::size_t count_overlapping_components(const std::vector<Component>& component
     // Swept along the longest way, on which the fewest boxes stand side by side.
     const glm::dvec3 size = box.high - box.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-    std::sort(sorted.begin(), sorted.end(), [axis](const Component* a, const Component* b) {
-        return a->box_world.low[axis] < b->box_world.low[axis];
-    });
+    std::ranges::sort(sorted, {}, [axis](const Component* c) { return c->box_world.low[axis]; });
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         for (std::size_t j = i + 1; j < sorted.size(); ++j) {

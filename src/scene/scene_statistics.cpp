@@ -52,26 +52,18 @@ Sheet sheet_of(const Topology& topology, const Face& face) {
 
 /// Whether the boxes of two faces share an area, the axis along which they look left out.
 bool stand_before_each_other(const Topology& topology, const Sheet& a, const Sheet& b) {
-    int view_direction = 0;
-    for (int i = 1; i < 3; ++i) {
-        if (std::abs(a.direction[static_cast<std::size_t>(i)]) >
-            std::abs(a.direction[static_cast<std::size_t>(view_direction)])) {
-            view_direction = i;
-        }
-    }
+    const auto most = std::ranges::max_element(a.direction, {}, [](int d) { return std::abs(d); });
+    const auto box = [&](const Face& face) {
+        Box of_face;
+        for (const std::uint32_t v : face.vertices)
+            of_face.add(topology.p_world[v]);
+        return of_face;
+    };
+    const Box box_a = box(*a.face), box_b = box(*b.face);
     for (int axis = 0; axis < 3; ++axis) {
-        if (axis == view_direction) continue;
-        const auto span = [&](const Face& face) {
-            double low = std::numeric_limits<double>::infinity(), high = -low;
-            for (const std::uint32_t v : face.vertices) {
-                low = std::min(low, topology.p_world[v][axis]);
-                high = std::max(high, topology.p_world[v][axis]);
-            }
-            return std::pair(low, high);
-        };
-        const auto [low_a, high_a] = span(*a.face);
-        const auto [low_b, high_b] = span(*b.face);
-        if (!(std::max(low_a, low_b) < std::min(high_a, high_b))) return false;
+        if (axis == most - a.direction.begin()) continue;
+        const double low = std::max(box_a.low[axis], box_b.low[axis]);
+        if (!(low < std::min(box_a.high[axis], box_b.high[axis]))) return false;
     }
     return true;
 }
@@ -181,10 +173,7 @@ std::size_t count_cracked_corners(const Topology& topology) {
     near.add(all, kCrackShare * box_of(corners).diagonal());
     std::vector<glm::dvec3> places = near.representatives();
     // Both sides of a crack count: all but those that stayed alone at their place.
-    const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    };
-    std::sort(places.begin(), places.end(), less);
+    std::ranges::sort(places, {}, [](const glm::dvec3& p) { return std::tie(p.x, p.y, p.z); });
     std::size_t cracked = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         cracked += (i > 0 && places[i] == places[i - 1]) ||

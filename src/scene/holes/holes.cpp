@@ -33,9 +33,7 @@ std::vector<RimSide> list_rim_sides(const FaceGraph& graph) {
         if (graph.has_rims_only[solid])
             sides.push_back({solid, graph.places[side], graph.places[end]});
     }
-    std::sort(sides.begin(), sides.end(), [](const RimSide& a, const RimSide& b) {
-        return a.solid != b.solid ? a.solid < b.solid : a.from < b.from;
-    });
+    std::ranges::sort(sides, {}, [](const RimSide& s) { return std::pair(s.solid, s.from); });
     return sides;
 }
 
