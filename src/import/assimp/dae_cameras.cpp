@@ -22,19 +22,15 @@ class XmlTags {
             if (open == text_.npos) return false;
             before_ = text_.substr(at_, open - at_);
             const std::string_view from = text_.substr(open);
-            if (from.starts_with("<!--")) {
-                if (!skip(open, "-->")) return false;
-            } else if (from.starts_with("<![CDATA[")) {
-                if (!skip(open, "]]>")) return false;
-            } else if (from.starts_with("<?") || from.starts_with("<!")) {
-                if (!skip(open, ">")) return false;
-            } else {
-                const std::size_t close = text_.find('>', open);
-                if (close == text_.npos) return false;
-                tag_ = text_.substr(open + 1, close - open - 1);
-                at_ = close + 1;
-                return true;
-            }
+            const std::string_view mark = from.starts_with("<!--")        ? "-->"
+                                          : from.starts_with("<![CDATA[") ? "]]>"
+                                                                          : ">";
+            const std::size_t close = text_.find(mark, open);
+            if (close == text_.npos) return false;
+            at_ = close + mark.size();
+            if (from.starts_with("<?") || from.starts_with("<!")) continue;
+            tag_ = text_.substr(open + 1, close - open - 1);
+            return true;
         }
     }
 
@@ -65,13 +61,6 @@ class XmlTags {
     }
 
   private:
-    bool skip(std::size_t from, std::string_view mark) {
-        const std::size_t end = text_.find(mark, from);
-        if (end == text_.npos) return false;
-        at_ = end + mark.size();
-        return true;
-    }
-
     std::string_view text_;
     std::size_t at_ = 0;
     std::string_view tag_;
