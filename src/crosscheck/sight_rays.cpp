@@ -55,24 +55,19 @@ struct Packet {
 
 using Valid = std::array<int, EmbreeRays::kPacket>;
 
-/// The direction of unit depth along the view direction, so that distances along a ray are w.
-glm::dvec2 direction_to(const ClipMesh& mesh, const glm::dvec2& p_px) {
+/// The ray to a point from near to infinity, of unit depth along the view direction, so that
+/// distances along it are w.
+RTCRay ray_to(const ClipMesh& mesh, const glm::dvec2& p_px, float near) {
     const double focal_px = mesh.projection().focal_px();
-    return {(p_px.x - mesh.view().width_px / 2.0) / focal_px,
-            (mesh.view().height_px / 2.0 - p_px.y) / focal_px};
+    const double x = (p_px.x - mesh.view().width_px / 2.0) / focal_px;
+    const double y = (mesh.view().height_px / 2.0 - p_px.y) / focal_px;
+    return truth::embree::make_ray({x, y, -1}, near, std::numeric_limits<float>::infinity());
 }
 
-/// One ray of a packet, from near to infinity.
-void aim(RTCRayHit16& query, Valid& valid, std::size_t i, const glm::dvec2& direction, float near) {
+/// One ray of a packet.
+void aim(RTCRayHit16& query, Valid& valid, std::size_t i, const RTCRay& ray) {
     valid[i] = -1;
-    query.ray.dir_x[i] = static_cast<float>(direction.x);
-    query.ray.dir_y[i] = static_cast<float>(direction.y);
-    query.ray.dir_z[i] = -1;
-    query.ray.tnear[i] = near;
-    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-    query.ray.mask[i] = 0xffffffffU;
-    query.ray.id[i] = static_cast<unsigned int>(i);
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    truth::embree::put(ray, i, query);
 }
 
 /// The face that holds the point where Embree's rounding named a neighbour: found over the edges
@@ -168,14 +163,8 @@ Sight EmbreeRays::look(const glm::dvec2& p_px) const {
     look.p_px = p_px;
     look.near = mesh().view().camera.near;
 
-    const glm::dvec2 direction = direction_to(mesh(), p_px);
     RTCRayHit query{};
-    query.ray.dir_x = static_cast<float>(direction.x);
-    query.ray.dir_y = static_cast<float>(direction.y);
-    query.ray.dir_z = -1;
-    query.ray.tnear = near();
-    query.ray.tfar = std::numeric_limits<float>::infinity();
-    query.ray.mask = 0xffffffffU;
+    query.ray = ray_to(mesh(), p_px, near());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     truth::embree::intersect(handles_->scene, look.context, &take, query);
     return look.foremost.seen();
@@ -200,7 +189,7 @@ void EmbreeRays::look_at_packet(std::span<const glm::dvec2> points_px,
     alignas(64) Valid valid{};
     alignas(64) RTCRayHit16 query{};
     for (std::size_t i = 0; i < points_px.size(); ++i)
-        aim(query, valid, i, direction_to(mesh(), points_px[i]), near());
+        aim(query, valid, i, ray_to(mesh(), points_px[i], near()));
     truth::embree::intersect_16(valid.data(), handles_->scene, packet.context, &keep, query);
     for (std::size_t i = 0; i < sights.size(); ++i) {
         const Offers& offers = packet.offers[i];
@@ -226,7 +215,7 @@ void EmbreeRays::look_along(const glm::dvec2& first_px, std::span<Sight> sights)
     alignas(64) Valid valid{};
     alignas(64) RTCRayHit16 query{};
     for (std::size_t i = 0; i < sights.size(); ++i)
-        aim(query, valid, i, direction_to(mesh(), point_px(i)), near());
+        aim(query, valid, i, ray_to(mesh(), point_px(i), near()));
     truth::embree::intersect_16(valid.data(), handles_->scene, context, nullptr, query);
     for (std::size_t i = 0; i < sights.size(); ++i) {
         sights[i] = {};

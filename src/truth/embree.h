@@ -136,6 +136,35 @@ inline void intersect_16(const int* valid,
 
 #endif
 
+/// A ray from the origin.
+inline RTCRay make_ray(const glm::dvec3& direction, float near, float far) {
+    RTCRay ray{};
+    ray.dir_x = static_cast<float>(direction.x);
+    ray.dir_y = static_cast<float>(direction.y);
+    ray.dir_z = static_cast<float>(direction.z);
+    ray.tnear = near;
+    ray.tfar = far;
+    ray.mask = 0xffffffffU;
+    return ray;
+}
+
+/// Puts it into a packet of them.
+template <class Packet>
+void put(const RTCRay& ray, std::size_t i, Packet& packet) {
+    packet.dir_x[i] = ray.dir_x;
+    packet.dir_y[i] = ray.dir_y;
+    packet.dir_z[i] = ray.dir_z;
+    packet.tnear[i] = ray.tnear;
+    packet.tfar[i] = ray.tfar;
+    packet.mask[i] = ray.mask;
+}
+
+inline void put(const RTCRay& ray, std::size_t i, RTCRayHit16& packet) {
+    put(ray, i, packet.ray);
+    packet.ray.id[i] = static_cast<unsigned>(i);
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+}
+
 /// Builds the tree of a mesh's faces, with each vertex where `place(p_world)` puts it, which is
 /// rounded to floats. Throws core::Error in the name of `who`.
 template <class Place>

@@ -37,26 +37,9 @@ double unit_scale(const scene::Topology& topology, const glm::dvec3& eye_world) 
 
 RTCRay make_ray(const EyeRay& ray, double scale) {
     const double length = glm::length(ray.direction_world);
-    const glm::dvec3 d = ray.direction_world / length;
-    RTCRay result{};
-    result.dir_x = static_cast<float>(d.x);
-    result.dir_y = static_cast<float>(d.y);
-    result.dir_z = static_cast<float>(d.z);
-    result.tnear = static_cast<float>(ray.t_near * length * scale);
-    result.tfar = static_cast<float>(ray.t_far * length * scale);
-    result.mask = 0xffffffffU;
-    return result;
-}
-
-/// Puts a ray into a packet of them.
-template <class Packet>
-void put(const RTCRay& ray, std::size_t i, Packet& packet) {
-    packet.dir_x[i] = ray.dir_x;
-    packet.dir_y[i] = ray.dir_y;
-    packet.dir_z[i] = ray.dir_z;
-    packet.tnear[i] = ray.tnear;
-    packet.tfar[i] = ray.tfar;
-    packet.mask[i] = ray.mask;
+    return embree::make_ray(ray.direction_world / length,
+                            static_cast<float>(ray.t_near * length * scale),
+                            static_cast<float>(ray.t_far * length * scale));
 }
 
 void confirm_any(const RTCFilterFunctionNArguments* args) {
@@ -134,7 +117,7 @@ bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
     EyeSceneQuery query(confirm);
     RTCRay4 packet{};
     for (std::size_t i = 0; i < 4; ++i)
-        put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet);
+        embree::put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet);
     embree::occluded_4(handles_->scene, query.context, &confirm_any, packet);
     return std::any_of(packet.tfar, packet.tfar + 4, [](float t) { return t < 0; });
 }
@@ -162,9 +145,7 @@ std::array<std::optional<EyeScene::Hit>, 16> EyeScene::first_of_sixteen(
     alignas(64) std::array<int, 16> is_valid{};
     for (std::size_t i = 0; i < 16; ++i) {
         is_valid[i] = (valid >> i & 1U) != 0 ? -1 : 0;
-        put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet.ray);
-        packet.ray.id[i] = static_cast<unsigned>(i);
-        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        embree::put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet);
     }
     embree::intersect_16(
         is_valid.data(), handles_->scene, query.context, &keep_lowest_first, packet);
