@@ -18,15 +18,6 @@ constexpr std::size_t kSweepSettings = 8;
 /// How far the sweep steps from a tuned number to either side.
 constexpr std::array kSweepSteps = {0.75, 1.25};
 
-void check_name(const std::string& name, const std::string& where) {
-    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_";
-    const bool is_name = !name.empty() && name.find_first_not_of(kLetters) == std::string::npos;
-    if (is_name) return;
-    throw core::Error(where,
-                      fmt::format("'{}' cannot be the name of a method", name),
-                      "small letters, digits and underscores");
-}
-
 /// The tuned settings with `values` over them. Throws core::Error (where = the preset's name) for
 /// what its method does not know or accept.
 core::ParamValues over_tuned(const Preset& preset,
@@ -80,6 +71,15 @@ std::vector<core::ParamValues> sweep_of(const method::MethodInfo& tuned,
 }
 
 }  // namespace
+
+void check_name(const std::string& name, const std::string& where) {
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_";
+    const bool is_name = !name.empty() && name.find_first_not_of(kLetters) == std::string::npos;
+    if (is_name) return;
+    throw core::Error(where,
+                      fmt::format("'{}' cannot be the name of a method", name),
+                      "small letters, digits and underscores");
+}
 
 std::string toml_text(const std::string& text) {
     std::string quoted = "\"";

@@ -20,6 +20,9 @@ struct PresetFile {
     std::vector<std::pair<std::string, std::string>> provenance;
 };
 
+/// Throws core::Error (where = `where`) for what cannot be the name of a method.
+void check_name(const std::string& name, const std::string& where);
+
 /// `text` in quotes, as TOML has it.
 [[nodiscard]] std::string toml_text(const std::string& text);
 

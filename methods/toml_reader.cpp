@@ -194,6 +194,22 @@ const core::Param& param_of(const std::vector<core::Param>& params,
     return *core::find_named(params, name);
 }
 
+toml::array array_of(const std::vector<std::string>& texts) {
+    toml::array array;
+    for (const std::string& text : texts)
+        array.push_back(text);
+    return array;
+}
+
+std::vector<std::string> texts_of(const toml::node_view<const toml::node>& node) {
+    std::vector<std::string> texts;
+    if (const toml::array* array = node.as_array()) {
+        for (const toml::node& text : *array)
+            texts.push_back(text.value_or(std::string()));
+    }
+    return texts;
+}
+
 toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
     try {
         return toml::parse(text, file.string());

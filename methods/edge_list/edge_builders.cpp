@@ -3,6 +3,7 @@
 #include "methods/edge_list/edge_builders.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "core/hash.h"
@@ -119,17 +120,8 @@ EdgeListing list_edges(std::span<const scene::Triangle> triangles, EdgeBuilder b
     const std::vector<Side> sides = sides_of(triangles);
     EdgeListing listing;
     listing.counts.lookups = sides.size();
-    switch (builder) {
-        case EdgeBuilder::all_pairs:
-            all_pairs(sides, listing);
-            break;
-        case EdgeBuilder::temp_list:
-            temp_list(sides, listing);
-            break;
-        case EdgeBuilder::hash:
-            hash(sides, listing);
-            break;
-    }
+    constexpr std::array kBuilders = {all_pairs, temp_list, hash};
+    kBuilders.at(static_cast<std::size_t>(builder))(sides, listing);
     return listing;
 }
 

@@ -109,23 +109,16 @@ auto row_sink(const ScreenMesh& screen, buffers::Samples samples, const Image& i
     });
 }
 
-/// As pictures of the truth have them.
+/// As pictures of the truth have them, by kind: paper, contours, boundaries, creases, intersections
+/// and seams.
 glm::u8vec3 color_of(LineKind kind) {
-    switch (kind) {
-        case LineKind::none:
-            break;
-        case LineKind::contour:
-            return {32, 36, 42};
-        case LineKind::boundary:
-            return {204, 121, 167};
-        case LineKind::crease:
-            return {0, 158, 115};
-        case LineKind::intersection:
-            return {230, 159, 0};
-        case LineKind::seam:
-            return {86, 180, 233};
-    }
-    return {255, 255, 255};
+    static const std::array<glm::u8vec3, 6> kColors = {{{255, 255, 255},
+                                                        {32, 36, 42},
+                                                        {204, 121, 167},
+                                                        {0, 158, 115},
+                                                        {230, 159, 0},
+                                                        {86, 180, 233}}};
+    return kColors.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace
@@ -195,10 +188,7 @@ core::Image<LineKind> IdLookup::classes(const method::Frame& frame) {
 }
 
 std::vector<method::Layer> IdLookup::layers(const method::Frame& frame) {
-    const core::Image<LineKind> kinds = classes(frame);
-    method::Layer layer{"classes", {kinds.width_px(), kinds.height_px()}};
-    std::transform(kinds.data(), kinds.data() + kinds.size(), layer.rgb.data(), color_of);
-    return {std::move(layer)};
+    return {{"classes", core::mapped<glm::u8vec3>(classes(frame), color_of)}};
 }
 
 method::MethodInfo id_lookup_method() {

@@ -9,6 +9,7 @@
 
 #include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
+#include "scene/box.h"
 #include "scene/near_points.h"
 #include "scene/precision/rounding.h"
 #include "scene/topology.h"
@@ -58,24 +59,18 @@ class Builder {
 
     /// Per object the share of its diagonal that counts as no distance, and the rounding.
     void measure_objects() {
-        struct Box {
-            glm::dvec3 low{1e300}, high{-1e300};
-        };
-        std::vector<Box> boxes(scene_.instances.size());
+        std::vector<scene::Box> boxes(scene_.instances.size());
         mesh_.rounding_world.assign(scene_.instances.size(), 0);
         for (const LookupFace& face : mesh_.faces) {
-            Box& box = boxes[face.object];
+            scene::Box& box = boxes[face.object];
             double& rounding = mesh_.rounding_world[face.object];
             for (const std::uint32_t v : face.vertices) {
                 rounding = std::max(rounding, topology_.rounding_world[v]);
-                box.low = glm::min(box.low, mesh_.p_world[v]);
-                box.high = glm::max(box.high, mesh_.p_world[v]);
+                box.add(mesh_.p_world[v]);
             }
         }
-        for (const Box& box : boxes) {
-            const double diagonal = box.low.x > box.high.x ? 0 : glm::length(box.high - box.low);
-            mesh_.crack_world.push_back(options_.weld_epsilon * diagonal);
-        }
+        for (const scene::Box& box : boxes)
+            mesh_.crack_world.push_back(options_.weld_epsilon * box.diagonal());
     }
 
     [[nodiscard]] Border border(std::uint32_t face, std::uint32_t edge) const {

@@ -216,8 +216,7 @@ class ScreenMesh::Walk {
         const LookupFace& face = screen_.mesh_->faces[at_];
         std::size_t entered = 3;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
-            if ((a == in.high && b == in.low) || (a == in.low && b == in.high)) entered = i;
+            if (is_same_edge(face, i, in.high, in.low)) entered = i;
         }
         std::uint32_t high = in.high, low = in.low;
         if (entered == 3) {  // over a crack, where the ends are other vertices
@@ -235,8 +234,7 @@ class ScreenMesh::Walk {
             low = third;
         }
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
-            if ((a == high && b == low) || (a == low && b == high)) exit = i;
+            if (is_same_edge(face, i, high, low)) exit = i;
         }
         out = passage(high, low);
         return true;
@@ -271,7 +269,7 @@ class ScreenMesh::Walk {
         for (std::size_t i = 0; i < 3; ++i) {
             if (other.beyond[i] != at_) continue;
             theirs = other.vertices[(i + 2) % 3];
-            if (is_same_edge(other, i, out)) break;
+            if (is_same_edge(other, i, out.high, out.low)) break;
             c = other.vertices[i];
             d = other.vertices[(i + 1) % 3];
             const glm::dvec3 along = p_world(out.low) - p_world(out.high);
@@ -285,9 +283,10 @@ class ScreenMesh::Walk {
 
     [[nodiscard]] static bool is_same_edge(const LookupFace& face,
                                            std::size_t i,
-                                           const Passage& out) {
+                                           std::uint32_t c,
+                                           std::uint32_t d) {
         const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
-        return (a == out.high && b == out.low) || (a == out.low && b == out.high);
+        return (a == c && b == d) || (a == d && b == c);
     }
 
     /// How fast 1/w grows from an edge into a face, per px.

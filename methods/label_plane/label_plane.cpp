@@ -73,11 +73,6 @@ class LabelPass : public buffers::ConstantPass {
     using ConstantPass::see;
 
   protected:
-    /// Labels stay with the scene at rest, which an animation starts from. A scene without one
-    /// rests as it stands, so that labels are given again if it moved.
-    [[nodiscard]] bool follows(const scene::Scene& scene) const override {
-        return !scene.animation;
-    }
     [[nodiscard]] std::vector<std::uint32_t> constants_of(
         const scene::PreparedScene& scene) override {
         if (!scene->animation) return labels_of(scene);

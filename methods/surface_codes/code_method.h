@@ -52,11 +52,6 @@ class CodePass : public buffers::ConstantPass {
   protected:
     [[nodiscard]] std::vector<std::uint32_t> constants_of(
         const scene::PreparedScene& scene) override;
-    /// Codes stay with the scene at rest, which an animation starts from. A scene without one rests
-    /// as it stands, so that codes are made again if it moved.
-    [[nodiscard]] bool follows(const scene::Scene& scene) const override {
-        return !scene.animation;
-    }
     void follow_view(const method::Frame& frame) override;
 
   private:

@@ -13,6 +13,7 @@
 
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
+#include "scene/box.h"
 #include "scene/precision/rounding.h"
 #include "scene/surface.h"
 
@@ -69,19 +70,18 @@ class Boundaries {
                std::span<const std::uint32_t> edges,
                const buffers::PatchOptions& options)
         : topology_(topology), options_(options), edges_(edges.begin(), edges.end()) {
-        glm::dvec3 low{std::numeric_limits<double>::infinity()}, high = -low;
+        scene::Box box;
         double length = 0;
         for (const std::uint32_t e : edges_) {
             const scene::Edge& edge = topology.edges[e];
             for (const std::uint32_t vertex : {edge.a, edge.b}) {
-                low = glm::min(low, p(vertex));
-                high = glm::max(high, p(vertex));
+                box.add(p(vertex));
                 rounding_ = std::max(rounding_, topology.rounding_world[vertex]);
                 edges_at_.emplace_back(vertex, e);
             }
             length += glm::length(p(edge.a) - p(edge.b));
         }
-        near_ = std::max(options.weld_epsilon * glm::length(high - low), 4 * rounding_);
+        near_ = std::max(options.weld_epsilon * box.diagonal(), 4 * rounding_);
         mean_length_ = length / static_cast<double>(edges_.size());
         std::sort(edges_at_.begin(), edges_at_.end());
     }

@@ -11,6 +11,7 @@
 #include "methods/surface_codes/patch_labels.h"
 #include "methods/surface_codes/surface_graph.h"
 #include "scene/animation.h"
+#include "scene/box.h"
 
 namespace ink::methods {
 namespace {
@@ -197,17 +198,14 @@ double SurfaceCodes::largest_object() const {
     const auto& faces = mesh_->topology.faces;
     double largest = 0;
     for (std::size_t f = 0; f < faces.size();) {  // in the order of objects
-        glm::dvec3 low{std::numeric_limits<double>::infinity()};
-        glm::dvec3 high = -low;
+        scene::Box box;
         for (const std::uint32_t object = faces[f].object;
              f < faces.size() && faces[f].object == object;
              ++f) {
-            for (const std::uint32_t vertex : faces[f].vertices) {
-                low = glm::min(low, mesh_->topology.p_world[vertex]);
-                high = glm::max(high, mesh_->topology.p_world[vertex]);
-            }
+            for (const std::uint32_t vertex : faces[f].vertices)
+                box.add(mesh_->topology.p_world[vertex]);
         }
-        largest = std::max(largest, glm::length(high - low));
+        largest = std::max(largest, box.diagonal());
     }
     return largest;
 }

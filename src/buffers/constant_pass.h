@@ -66,7 +66,7 @@ class ConstantPass : public SurfacePass {
     [[nodiscard]] virtual std::vector<std::uint32_t> constants_of(
         const scene::PreparedScene& scene) = 0;
     /// Whether a scene that moved has other constants.
-    [[nodiscard]] virtual bool follows(const scene::Scene& scene) const = 0;
+    [[nodiscard]] virtual bool follows(const scene::Scene& scene) const { return !scene.animation; }
     /// Makes what depends on the view that was seen.
     virtual void follow_view(const method::Frame& /*frame*/) {}
 

@@ -1,37 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 
 #include "buffers/surface_pass.h"
+#include "buffers/tile_buffer.h"
 
 namespace ink::buffers {
-
-/// A tile of floats with its halo, on the stack of the tile's thread; row(y)[x] in tile-local
-/// coordinates.
-class TileFloats {
-  public:
-    static constexpr int kSpan = raster::kTileSize_px + 2 * raster::kMaxHalo_px;
-
-    [[nodiscard]] float* row(int y) {
-        return pixels_.data() + (y + raster::kMaxHalo_px) * kSpan + raster::kMaxHalo_px;
-    }
-
-  private:
-    std::array<float, static_cast<std::size_t>(kSpan) * kSpan> pixels_;
-};
-
-/// A plane of floats of a tile, wherever it lies.
-struct TilePlane {
-    const float* origin = nullptr;  ///< local (0, 0)
-    std::ptrdiff_t stride = 0;      ///< floats from one row to the next
-
-    TilePlane() = default;
-    TilePlane(const float* origin_in, std::ptrdiff_t stride_in)
-        : origin(origin_in), stride(stride_in) {}
-    explicit TilePlane(TileFloats& buffer) : origin(buffer.row(0)), stride(TileFloats::kSpan) {}
-    [[nodiscard]] const float* row(int y) const { return origin + y * stride; }
-};
 
 /// The four planes of a full buffer: depth as it was carried, and the view-space normal.
 class FullBuffers : public SurfacePass {

@@ -1,21 +1,12 @@
 #include "buffers/hidden_lines.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ink::buffers {
 
 double KindWidths::of(EdgeKind kind) const {
-    switch (kind) {
-        case EdgeKind::none:
-            return 0;
-        case EdgeKind::contour:
-            return contour_px;
-        case EdgeKind::crease:
-            return crease_px;
-        case EdgeKind::boundary:
-            return boundary_px;
-    }
-    return 0;
+    return std::array{0.0, contour_px, crease_px, boundary_px}.at(static_cast<std::size_t>(kind));
 }
 
 HiddenLines::HiddenLines(const HiddenLineParams& params)

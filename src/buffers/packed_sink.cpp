@@ -5,40 +5,12 @@
 #include <cstring>
 
 #include "buffers/sample_grid.h"
+#include "buffers/tile_buffer.h"
 #include "edge/binomial_blur.h"
 #include "edge/laplacian.h"
 
 namespace ink::buffers {
 namespace {
-
-constexpr int kSpan = raster::kTileSize_px + 2 * raster::kMaxHalo_px;
-
-/// A tile of codes with halo; row(y)[x] in tile-local coordinates, on the stack of the tile's
-/// thread.
-template <class T>
-class CodeBuffer {
-  public:
-    T* row(int y) {
-        return pixels_.data() + (y + raster::kMaxHalo_px) * kSpan + raster::kMaxHalo_px;
-    }
-
-  private:
-    std::array<T, static_cast<std::size_t>(kSpan) * kSpan> pixels_;
-};
-
-/// Rows of codes, wherever they lie.
-template <class T>
-struct Codes {
-    const T* origin;
-    std::ptrdiff_t stride;
-
-    [[nodiscard]] const T* row(int y) const { return origin + y * stride; }
-};
-
-template <class T>
-Codes<T> codes_of(CodeBuffer<T>& buffer) {
-    return {buffer.row(0), kSpan};
-}
 
 /// Columns and rows of a tile with `halo_px` round it.
 struct Area {
@@ -62,9 +34,9 @@ struct PixelSource {
 };
 
 template <class T>
-void pack_tile(const PixelSource& source, const raster::Tile& tile, int plane, CodeBuffer<T>& to) {
+void pack_tile(const PixelSource& source, const raster::Tile& tile, int plane, TileBuffer<T>& to) {
     const Area area(tile, tile.halo_px);
-    std::array<float, kSpan> encoded;
+    std::array<float, TileBuffer<T>::kSpan> encoded;
     for (int y = area.top_px; y < area.bottom_px; ++y) {
         const float* carried = tile.row<float>(0, y) + area.left_px;
         if (!source.carrier.is_encoded()) {
@@ -84,7 +56,10 @@ void pack_tile(const PixelSource& source, const raster::Tile& tile, int plane, C
 }
 
 template <class T>
-void extract_field(const Codes<T>& codes, const Field& field, const Area& area, CodeBuffer<T>& to) {
+void extract_field(const TileRows<T>& codes,
+                   const Field& field,
+                   const Area& area,
+                   TileBuffer<T>& to) {
     const int mask = (1 << field.bits) - 1;
     for (int y = area.top_px; y < area.bottom_px; ++y) {
         const T* from = codes.row(y);
@@ -96,23 +71,23 @@ void extract_field(const Codes<T>& codes, const Field& field, const Area& area, 
 }
 
 template <class T>
-void blur_tile(const Codes<T>& codes, int code_bits, const Area& area, CodeBuffer<T>& to) {
+void blur_tile(const TileRows<T>& codes, int code_bits, const Area& area, TileBuffer<T>& to) {
     const int height_px = area.bottom_px - area.top_px;
     const core::ImageView<const T> from{
         codes.row(area.top_px) + area.left_px, area.width_px(), height_px, codes.stride};
     const core::ImageView<T> blurred{
-        to.row(area.top_px) + area.left_px, area.width_px(), height_px, kSpan};
+        to.row(area.top_px) + area.left_px, area.width_px(), height_px, TileBuffer<T>::kSpan};
     edge::binomial_blur(from, blurred, code_bits);
 }
 
 template <class T>
-void copy_tile(const Codes<T>& codes, const raster::Tile& tile, core::Image<std::uint16_t>& to) {
+void copy_tile(const TileRows<T>& codes, const raster::Tile& tile, core::Image<std::uint16_t>& to) {
     for (int y = 0; y < tile.height_px; ++y)
         std::copy_n(codes.row(y), tile.width_px, to.row(tile.y0_px + y) + tile.x0_px);
 }
 
 template <class T>
-void filter_codes(const Codes<T>& codes,
+void filter_codes(const TileRows<T>& codes,
                   const edge::LaplacianResponse& response,
                   const core::ImageView<std::uint8_t>& to) {
     edge::laplacian(core::ImageView<const T>{codes.row(0), to.width_px, to.height_px, codes.stride},
@@ -122,7 +97,7 @@ void filter_codes(const Codes<T>& codes,
 
 /// Writes a tile's edge responses; joins them with what an earlier field left by their maximum.
 template <class T>
-void filter_tile(const Codes<T>& codes,
+void filter_tile(const TileRows<T>& codes,
                  const edge::LaplacianResponse& response,
                  const raster::Tile& tile,
                  bool is_first,
@@ -179,32 +154,32 @@ edge::LaplacianResponse PackedSink::response_of(const Field& field) const {
 
 template <class T>
 void PackedSink::finish_as(const raster::Tile& tile) const {
-    CodeBuffer<T> packed;
-    CodeBuffer<T> extracted;
-    CodeBuffer<T> blurred;
+    TileBuffer<T> packed;
+    TileBuffer<T> extracted;
+    TileBuffer<T> blurred;
     const CodeLayout& layout = packer_.layout();
-    Codes<T> plane_codes{};
+    TileRows<T> plane_codes;
     int plane = -1;
     for (const Field& field : layout.fields) {
         if (field.plane != plane) {
             plane = field.plane;
             if (filter_.packing == Packing::pixel) {
                 pack_tile(PixelSource{packer_, carrier_, filter_}, tile, plane, packed);
-                plane_codes = codes_of(packed);
+                plane_codes = TileRows<T>(packed);
             } else {
                 plane_codes = {tile.row<T>(plane, 0), tile.stride};
             }
             if (kept_) copy_tile(plane_codes, tile, (*kept_)[static_cast<std::size_t>(plane)]);
         }
-        Codes<T> codes = plane_codes;
+        TileRows<T> codes = plane_codes;
         if (layout.has_bit_fields()) {
             extract_field(codes, field, Area(tile, tile.halo_px), extracted);
-            codes = codes_of(extracted);
+            codes = TileRows<T>(extracted);
         }
         const edge::LaplacianResponse response = response_of(field);
         if (filter_.fatten) {
             blur_tile(codes, response.code_wraps ? field.bits : 0, Area(tile, 1), blurred);
-            codes = codes_of(blurred);
+            codes = TileRows<T>(blurred);
         }
         filter_tile(codes, response, tile, &field == &layout.fields.front(), out_);
     }

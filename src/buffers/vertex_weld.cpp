@@ -4,12 +4,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "core/hash.h"
+#include "scene/box.h"
 #include "scene/predicates.h"
 
 namespace ink::buffers {
@@ -109,13 +109,10 @@ VertexWeld weld_vertices(std::span<const glm::dvec3> points, double distance) {
 }
 
 double diagonal_of(std::span<const glm::dvec3> points) {
-    if (points.empty()) return 0;
-    glm::dvec3 low = points[0], high = low;
-    for (const glm::dvec3& p : points) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    return glm::length(high - low);
+    scene::Box box;
+    for (const glm::dvec3& p : points)
+        box.add(p);
+    return box.diagonal();
 }
 
 WeldedFaces weld_faces(const VertexWeld& weld,
