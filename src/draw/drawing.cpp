@@ -1,6 +1,7 @@
 #include "draw/drawing.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "draw/palette.h"
 #include "edge/thin.h"
 #include "edge/threshold.h"
@@ -134,14 +136,12 @@ method::Layer draw_layer(const harness::SceneViews& scene_views,
                          const harness::MethodConfig& config,
                          const std::string& name,
                          const DrawOptions& options) {
-    std::string known;
-    for (method::Layer& layer : draw_layers(scene_views, config, options)) {
-        if (layer.name == name) return std::move(layer);
-        known += (known.empty() ? "" : ", ") + layer.name;
-    }
+    std::vector<method::Layer> layers = draw_layers(scene_views, config, options);
+    if (method::Layer* layer = core::find_named(layers, name)) return std::move(*layer);
     throw core::Error("--layer",
                       fmt::format("{} has no layer '{}'", config.info->name, name),
-                      known.empty() ? "a method that has layers, like mote4" : known);
+                      layers.empty() ? "a method that has layers, like mote4"
+                                     : fmt::format("{}", fmt::join(core::names_of(layers), ", ")));
 }
 
 }  // namespace ink::draw

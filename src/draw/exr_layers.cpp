@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 
 #include "core/provenance.h"
 #include "draw/error_image.h"
@@ -21,8 +21,6 @@ using image_io::ExrAttribute;
 using image_io::ExrChannel;
 using image_io::ExrFile;
 using image_io::HalfImage;
-
-constexpr double kDegPerRad = 180 / std::numbers::pi;
 
 /// What a screen shows for an 8-bit value, 0..1 (IEC 61966-2-1): OpenEXR holds linear light.
 float linear_light(std::uint8_t value) {
@@ -75,7 +73,7 @@ std::vector<ExrAttribute> origin(const harness::SceneViews& scene_views) {
             {"ink:scene", scene_views.scene.name},
             {"ink:view", camera.name},
             {"ink:eye_world", fmt::format("{} {} {}", eye.x, eye.y, eye.z)},
-            {"ink:fov_y_deg", camera.fov_y_rad * kDegPerRad},
+            {"ink:fov_y_deg", glm::degrees(camera.fov_y_rad)},
             {"ink:near", camera.near}};
 }
 
@@ -102,7 +100,7 @@ void write_truth_exr(const harness::SceneViews& scene_views,
     file.channels.push_back({"crack.right", whole_numbers(cracks.right)});
     file.channels.push_back({"crack.below", whole_numbers(cracks.below)});
     file.attributes = origin(scene_views);
-    file.attributes.push_back({"ink:crease_deg", options.crease_rad * kDegPerRad});
+    file.attributes.push_back({"ink:crease_deg", glm::degrees(options.crease_rad)});
     file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});
     file.attributes.push_back(
         {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"});

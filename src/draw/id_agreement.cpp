@@ -4,10 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "buffers/each_tile.h"
 #include "core/image.h"
+#include "harness/crosscheck/compare_truths.h"
 #include "raster/pass/pass.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
@@ -19,13 +22,6 @@ namespace {
 constexpr std::uint32_t kNobody = 0xffffffffU;
 constexpr double kNear_px = 1.0 / 256;
 constexpr double kSteps = 4;
-
-double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
-    const glm::dvec2 ab = b - a;
-    const double length2 = glm::dot(ab, ab);
-    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
-    return glm::length(p - (a + t * ab));
-}
 
 /// The corners of what lies beyond the near plane of a triangle, projected.
 std::vector<glm::dvec2> visible_outline(const std::array<glm::dvec3, 3>& p_clip, double near) {
@@ -41,21 +37,6 @@ std::vector<glm::dvec2> visible_outline(const std::array<glm::dvec3, 3>& p_clip,
     }
     return outline;
 }
-
-/// Puts the tiles' ids together to a whole image.
-class IdSink : public raster::TileSink {
-  public:
-    IdSink(int width_px, int height_px) : ids(width_px, height_px) {}
-
-    void finish(const raster::Tile& tile) override {
-        for (int y = 0; y < tile.height_px; ++y) {
-            const std::uint32_t* row = tile.row<std::uint32_t>(0, y);
-            std::copy(row, row + tile.width_px, ids.row(tile.y0_px + y) + tile.x0_px);
-        }
-    }
-
-    core::Image<std::uint32_t> ids;
-};
 
 /// One view of a scene and its surface, and what can be asked of a triangle at a pixel centre.
 class SeenSurface {
@@ -73,8 +54,7 @@ class SeenSurface {
         format.store = raster::Store::u32;
         format.depth = depth;
         std::vector<std::uint32_t> ids(surface_.triangles.size());
-        for (std::size_t i = 0; i < ids.size(); ++i)
-            ids[i] = static_cast<std::uint32_t>(i);
+        std::iota(ids.begin(), ids.end(), 0U);
         raster::PassInput input;
         input.p_clip = p_clip_;
         input.triangles = surface_.triangles;
@@ -82,9 +62,15 @@ class SeenSurface {
         input.near = view_.camera.near;
         input.far = view_.camera.far;
         input.sky_code = {kNobody};
-        IdSink sink(view_.width_px, view_.height_px);
+        core::Image<std::uint32_t> image(view_.width_px, view_.height_px);
+        buffers::EachTile sink([&](const raster::Tile& tile) {
+            for (int y = 0; y < tile.height_px; ++y) {
+                const std::uint32_t* row = tile.row<std::uint32_t>(0, y);
+                std::copy_n(row, tile.width_px, image.row(tile.y0_px + y) + tile.x0_px);
+            }
+        });
         raster::draw_pass(format, input, view_.width_px, view_.height_px, 1, sink);
-        return std::move(sink.ids);
+        return image;
     }
     [[nodiscard]] bool is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const {
         if (triangle == kNobody) return false;
@@ -169,7 +155,8 @@ class EmbreeIds {
 bool is_near_edge(const std::array<glm::dvec3, 3>& p_clip, double near, const glm::dvec2& p_px) {
     const auto outline = visible_outline(p_clip, near);
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        if (distance_to_segment(p_px, outline[i], outline[(i + 1) % outline.size()]) <= kNear_px)
+        if (harness::distance_to_segment(p_px, outline[i], outline[(i + 1) % outline.size()]) <=
+            kNear_px)
             return true;
     }
     return false;

@@ -20,24 +20,14 @@ constexpr truth::LineClass kDrawn[] = {truth::LineClass::seam,
                                        truth::LineClass::crease,
                                        truth::LineClass::boundary,
                                        truth::LineClass::contour};
-constexpr truth::ContourKind kKinds[] = {truth::ContourKind::none,
-                                         truth::ContourKind::sky,
-                                         truth::ContourKind::other_object,
-                                         truth::ContourKind::self};
-
-std::string_view name(truth::ContourKind kind) {
-    switch (kind) {
-        case truth::ContourKind::none:
-            return "none";
-        case truth::ContourKind::sky:
-            return "sky";
-        case truth::ContourKind::other_object:
-            return "other_object";
-        case truth::ContourKind::self:
-            return "self";
-    }
-    return "none";
-}
+struct NamedKind {
+    truth::ContourKind kind;
+    const char* name;
+};
+constexpr NamedKind kKinds[] = {{truth::ContourKind::none, ""},
+                                {truth::ContourKind::sky, "sky"},
+                                {truth::ContourKind::other_object, "other_object"},
+                                {truth::ContourKind::self, "self"}};
 
 /// Up to three decimals without idle zeros.
 std::string coordinate(double px) {
@@ -84,15 +74,15 @@ std::string polyline(const truth::Polyline& line, const truth::Truth& truth) {
 std::string group(const std::vector<truth::Polyline>& lines,
                   const truth::Truth& truth,
                   truth::LineClass line_class,
-                  truth::ContourKind kind) {
+                  const NamedKind& kind) {
     std::string body;
     for (const truth::Polyline& line : lines) {
-        if (line.line_class == line_class && line.kind == kind) body += polyline(line, truth);
+        if (line.line_class == line_class && line.kind == kind.kind) body += polyline(line, truth);
     }
     if (body.empty()) return "";
-    const std::string kind_text = kind == truth::ContourKind::none
+    const std::string kind_text = kind.kind == truth::ContourKind::none
                                       ? std::string()
-                                      : fmt::format(R"( data-kind="{}")", name(kind));
+                                      : fmt::format(R"( data-kind="{}")", kind.name);
     return fmt::format(R"(<g data-class="{}"{} stroke="{}">
 {}</g>
 )",
@@ -110,7 +100,7 @@ std::string outline_svg(const truth::Truth& truth,
     const std::vector<truth::Polyline> lines = truth::join_curves(truth.curves);
     std::string body;
     for (const truth::LineClass line_class : kDrawn) {
-        for (const truth::ContourKind kind : kKinds)
+        for (const NamedKind& kind : kKinds)
             body += group(lines, truth, line_class, kind);
     }
     return fmt::format(

@@ -1,25 +1,16 @@
 #include "experiment/asked.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <filesystem>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 #include <sstream>
 
 #include "experiment/option_table.h"
+#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
-
-constexpr double kDegPerRad = 180 / std::numbers::pi;
-
-toml::array array_of(const std::vector<std::string>& texts) {
-    toml::array array;
-    for (const std::string& text : texts)
-        array.push_back(text);
-    return array;
-}
 
 toml::array point(const glm::dvec3& p) {
     return toml::array{p.x, p.y, p.z};
@@ -30,7 +21,7 @@ toml::array cameras_of(const harness::ViewRequest& request) {
     for (const harness::CameraRequest& camera : request.cameras) {
         toml::table table{{"eye", point(camera.eye_world)}, {"up", point(camera.up_world)}};
         if (camera.target_world) table.insert("target", point(*camera.target_world));
-        if (camera.fov_y_rad) table.insert("fov_deg", *camera.fov_y_rad * kDegPerRad);
+        if (camera.fov_y_rad) table.insert("fov_deg", glm::degrees(*camera.fov_y_rad));
         cameras.push_back(std::move(table));
     }
     return cameras;
@@ -42,7 +33,7 @@ toml::table views_of(const harness::ViewRequest& request) {
     if (request.orbit_count) views.insert("orbit", *request.orbit_count);
     if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
     if (request.margin) views.insert("margin", *request.margin);
-    if (!request.objects.empty()) views.insert("objects", array_of(request.objects));
+    if (!request.objects.empty()) views.insert("objects", methods::array_of(request.objects));
     if (request.file_cameras) views.insert("file_cameras", true);
     if (!request.cameras.empty()) views.insert("cameras", cameras_of(request));
     if (request.time_s) views.insert("time_s", *request.time_s);
@@ -67,7 +58,7 @@ toml::array grids_of(const Experiment& experiment) {
     for (const SettingGrid& grid : experiment.grids) {
         toml::table axes;
         for (const auto& [key, values] : grid.axes)
-            axes.insert(key, array_of(values));
+            axes.insert(key, methods::array_of(values));
         grids.push_back(toml::table{{"method", grid.method}, {"parameters", std::move(axes)}});
     }
     return grids;
@@ -81,7 +72,7 @@ void add_option(const Experiment& experiment, std::size_t row, toml::table& aske
     toml::table* table =
         of.empty() ? &asked : asked.emplace<toml::table>(of).first->second.as_table();
     if (param.kind == core::ParamKind::list) {
-        table->insert(key, array_of(texts));
+        table->insert(key, methods::array_of(texts));
         return;
     }
     if (texts.empty()) return;

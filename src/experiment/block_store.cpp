@@ -36,16 +36,13 @@ void on_disk(const fs::path& place, Work work) {
 }
 
 std::string record_text(const KeptBlock& block, const BlockResult& result) {
-    toml::array faults;
-    for (const std::string& fault : block.faults)
-        faults.push_back(fault);
     toml::table hashes;
     for (const auto& [table, lines] : result.lines)
         hashes.insert(table, core::Hasher().text(lines).hex());
     std::ostringstream text;
     text << toml::table{{"key", block.key},
                         {"seconds", block.seconds},
-                        {"faults", faults},
+                        {"faults", methods::array_of(block.faults)},
                         {"tables", hashes}}
          << '\n';
     return text.str();
@@ -108,10 +105,7 @@ std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
     KeptBlock block;
     block.key = root["key"].value_or(std::string());
     block.seconds = root["seconds"].value_or(0.0);
-    if (const toml::array* faults = root["faults"].as_array()) {
-        for (const toml::node& fault : *faults)
-            block.faults.push_back(fault.value_or(std::string()));
-    }
+    block.faults = methods::texts_of(root["faults"]);
     return block;
 }
 

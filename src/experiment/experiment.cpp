@@ -3,28 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "core/parse_number.h"
 #include "entrants/entrant.h"
+#include "experiment/option_table.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {
 
 std::string_view name(ExperimentKind kind) {
-    switch (kind) {
-        case ExperimentKind::compare:
-            return "compare";
-        case ExperimentKind::stress:
-            return "stress";
-        case ExperimentKind::animation:
-            return "animation";
-        case ExperimentKind::bound:
-            return "bound";
-    }
-    return "";
+    constexpr std::array<std::string_view, 4> kNames = {"compare", "stress", "animation", "bound"};
+    return kNames.at(static_cast<std::size_t>(kind));
 }
 
 ImageSize parse_image_size(const std::string& text, const std::string& where) {
@@ -36,11 +29,7 @@ ImageSize parse_image_size(const std::string& text, const std::string& where) {
                           fmt::format("'{}' is no size", text),
                           "WIDTHxHEIGHT in pixels, such as 1280x720");
     }
-    try {
-        harness::check_size(*width_px, *height_px);
-    } catch (const core::Error& error) {
-        throw core::Error(where, error.what_happened(), error.accepted());
-    }
+    at_place(where, [&] { harness::check_size(*width_px, *height_px); });
     return {*width_px, *height_px};
 }
 

@@ -109,9 +109,9 @@ void read_sweep(methods::TomlReader& sweep, Experiment& experiment) {
 
 ExperimentKind read_kind(methods::TomlReader& file) {
     const std::string kind = file.text("kind").value_or("");
-    if (kind == "compare") return ExperimentKind::compare;
-    if (kind == "stress") return ExperimentKind::stress;
-    if (kind == "animation") return ExperimentKind::animation;
+    using enum ExperimentKind;
+    for (const ExperimentKind each : {compare, stress, animation})
+        if (name(each) == kind) return each;
     throw core::Error(file.where("kind"),
                       kind.empty() ? "there is no kind" : fmt::format("kind cannot be {}", kind),
                       "compare | stress | animation");

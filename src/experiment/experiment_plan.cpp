@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <glm/trigonometric.hpp>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 
 #include "core/error.h"
@@ -19,8 +20,6 @@
 
 namespace ink::experiment {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 /// A model file may change while its name stays.
 void add_file(const std::string& scene, core::Hasher& hasher) {
@@ -52,7 +51,7 @@ harness::TraceOptions trace_of(const Experiment& experiment, const std::filesyst
     harness::TraceOptions trace;
     trace.cache = cache;
     trace.truth.threads = core::hardware_threads();
-    trace.truth.crease_rad = experiment.crease_deg * kRadPerDeg;
+    trace.truth.crease_rad = glm::radians(experiment.crease_deg);
     trace.truth.weld_epsilon = experiment.weld_epsilon;
     trace.intersections = experiment.intersections;
     return trace;
@@ -98,20 +97,8 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
     plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));
     const harness::TraceOptions trace = trace_of(experiment, cache);
-    switch (experiment.kind) {
-        case ExperimentKind::compare:
-            plan_compare(experiment, trace, plan);
-            break;
-        case ExperimentKind::stress:
-            plan_stress(experiment, trace, plan);
-            break;
-        case ExperimentKind::animation:
-            plan_animation(experiment, trace, plan);
-            break;
-        case ExperimentKind::bound:
-            plan_bound(experiment, trace, plan);
-            break;
-    }
+    constexpr std::array kPlanners = {plan_compare, plan_stress, plan_animation, plan_bound};
+    kPlanners.at(static_cast<std::size_t>(experiment.kind))(experiment, trace, plan);
     if (plan.blocks.empty()) {
         throw core::Error(experiment.where,
                           "its grid has no cells",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <sstream>
 
@@ -22,22 +23,6 @@ std::optional<RunState> state_called(const std::string& word) {
     for (const RunState state : {RunState::unfinished, RunState::finished, RunState::invalid})
         if (name(state) == word) return state;
     return std::nullopt;
-}
-
-toml::array array_of(const std::vector<std::string>& texts) {
-    toml::array array;
-    for (const std::string& text : texts)
-        array.push_back(text);
-    return array;
-}
-
-std::vector<std::string> texts_of(const toml::node_view<const toml::node>& node) {
-    std::vector<std::string> texts;
-    if (const toml::array* array = node.as_array()) {
-        for (const toml::node& text : *array)
-            texts.push_back(text.value_or(std::string()));
-    }
-    return texts;
 }
 
 toml::table built() {
@@ -64,8 +49,9 @@ toml::table progress_of(const RunRecord& record) {
                          {"blocks_done", record.blocks_done},
                          {"cells", record.cells}};
     if (record.times) progress.insert("work_s", record.work_s);
-    if (!record.missing_blocks.empty()) progress.insert("missing", array_of(record.missing_blocks));
-    if (!record.faults.empty()) progress.insert("faults", array_of(record.faults));
+    if (!record.missing_blocks.empty())
+        progress.insert("missing", methods::array_of(record.missing_blocks));
+    if (!record.faults.empty()) progress.insert("faults", methods::array_of(record.faults));
     return progress;
 }
 
@@ -75,7 +61,7 @@ toml::array tables_of(const std::vector<ModelFacts>& models) {
         const glm::dvec3& o = model.origin;
         tables.push_back(toml::table{{"scene", model.scene},
                                      {"origin", toml::array{o.x, o.y, o.z}},
-                                     {"not_heeded", array_of(model.notes)}});
+                                     {"not_heeded", methods::array_of(model.notes)}});
     }
     return tables;
 }
@@ -85,7 +71,8 @@ std::vector<ModelFacts> models_of(const toml::node_view<const toml::node>& node)
     const toml::array* tables = node.as_array();
     for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
         const auto table = node[i];
-        ModelFacts model{table["scene"].value_or(std::string()), {}, texts_of(table["not_heeded"])};
+        ModelFacts model{
+            table["scene"].value_or(std::string()), {}, methods::texts_of(table["not_heeded"])};
         for (int axis = 0; axis < 3; ++axis)
             model.origin[axis] = table["origin"][static_cast<std::size_t>(axis)].value_or(0.0);
         models.push_back(std::move(model));
@@ -112,15 +99,8 @@ std::string first_difference(const std::string& there, const std::string& mine) 
 }  // namespace
 
 std::string_view name(RunState state) {
-    switch (state) {
-        case RunState::unfinished:
-            return "unfinished";
-        case RunState::finished:
-            return "finished";
-        case RunState::invalid:
-            return "invalid";
-    }
-    return "";
+    constexpr std::array<std::string_view, 3> kNames = {"unfinished", "finished", "invalid"};
+    return kNames.at(static_cast<std::size_t>(state));
 }
 
 RunRecord record_of(const Plan& plan) {
@@ -143,8 +123,8 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.build = root["build"].value_or(std::string());
     record.times = root["times"].value_or(true);
     record.one_place = root["one_place"].value_or(true);
-    const auto names = texts_of(root["tables"]["names"]);
-    const auto headings = texts_of(root["tables"]["headings"]);
+    const auto names = methods::texts_of(root["tables"]["names"]);
+    const auto headings = methods::texts_of(root["tables"]["headings"]);
     record.models = models_of(toml::node_view<const toml::node>(root["models"]));
     const auto progress = root["progress"];
     const auto state = state_called(progress["state"].value_or(std::string()));
@@ -152,8 +132,8 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.blocks_done = progress["blocks_done"].value_or(0);
     record.cells = progress["cells"].value_or(0);
     record.work_s = progress["work_s"].value_or(0.0);
-    record.missing_blocks = texts_of(progress["missing"]);
-    record.faults = texts_of(progress["faults"]);
+    record.missing_blocks = methods::texts_of(progress["missing"]);
+    record.faults = methods::texts_of(progress["faults"]);
     const toml::table* asked = root["asked"].as_table();
     if (record.identity.empty() || !state || asked == nullptr || names.size() != headings.size()) {
         throw core::Error(

@@ -108,24 +108,13 @@ void fill_score_2px(const score::Strokes& strokes,
 }
 
 void copy_score_2px(const Row& from, Row& to) {
-    to.f_2px = from.f_2px;
-    to.precision_2px = from.precision_2px;
-    to.recall_2px = from.recall_2px;
-    to.above_crease_2px = from.above_crease_2px;
-    to.all_intersections_2px = from.all_intersections_2px;
-    to.with_crowded_2px = from.with_crowded_2px;
-    to.recall_by_class = from.recall_by_class;
-    to.truth_px_by_class = from.truth_px_by_class;
-    to.k_by_class = from.k_by_class;
-    to.mean_width_px = from.mean_width_px;
-    to.k_2px = from.k_2px;
-    to.n_pred = from.n_pred;
-    to.n_truth = from.n_truth;
-    to.unmatched_duplicates = from.unmatched_duplicates;
-    to.false_positives = from.false_positives;
-    to.unmatched_truth = from.unmatched_truth;
-    to.false_negatives = from.false_negatives;
-    to.truth_px = from.truth_px;
+    const auto copy = [&](auto... fields) { ((to.*fields = from.*fields), ...); };
+    copy(&Row::f_2px, &Row::precision_2px, &Row::recall_2px, &Row::mean_width_px);
+    copy(&Row::above_crease_2px, &Row::all_intersections_2px, &Row::with_crowded_2px);
+    copy(&Row::recall_by_class, &Row::truth_px_by_class, &Row::k_by_class);
+    copy(&Row::k_2px, &Row::n_pred, &Row::n_truth, &Row::truth_px);
+    copy(&Row::unmatched_duplicates, &Row::false_positives);
+    copy(&Row::unmatched_truth, &Row::false_negatives);
 }
 
 }  // namespace ink::harness

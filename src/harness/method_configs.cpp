@@ -42,13 +42,13 @@ void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
                       core::known_names({known.begin(), known.end()}, setting.key));
 }
 
-/// Whether a registered method is itself a preset: `inkbench tune` gives that name, too.
-bool is_shipped(const std::string& name) {
-    const auto shipped = methods::shipped_presets();
-    return core::find_named(shipped, name) != nullptr;
-}
-
 }  // namespace
+
+MethodConfig with(MethodConfig config, const core::ParamValues& settings) {
+    for (const auto& [name, value] : settings)
+        config.settings[name] = value;
+    return config;
+}
 
 Setting parse_setting(const std::string& text) {
     const auto equals = text.find('=');
@@ -65,13 +65,9 @@ Setting parse_setting(const std::string& text) {
     return setting;
 }
 
-const core::Param* find_param(const method::MethodInfo& info, std::string_view key) {
-    return core::find_named(info.params, key);
-}
-
 const core::Param* param_of(const Setting& setting, const MethodConfig& config) {
     if (!setting.method.empty() && setting.method != config.info->name) return nullptr;
-    return find_param(*config.info, setting.key);
+    return core::find_named(config.info->params, setting.key);
 }
 
 std::vector<std::string> split_list(const std::string& text) {
@@ -116,7 +112,9 @@ MethodConfig preset_config(const std::filesystem::path& file) {
     if (!text) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
     const std::vector<method::MethodInfo>& bases = methods::registry();
     const methods::Preset preset = methods::parse_preset(*text, file.string(), bases);
-    if (core::find_named(bases, preset.name) != nullptr && !is_shipped(preset.name)) {
+    // A registered method may itself be a preset: `inkbench tune` gives that name, too.
+    const auto shipped = methods::shipped_presets();
+    if (core::find_named(bases, preset.name) && !core::find_named(shipped, preset.name)) {
         throw core::Error(file.string(),
                           fmt::format("there is a method '{}' already", preset.name),
                           "a name of its own");

@@ -28,11 +28,11 @@ struct Setting {
     std::string text;
 };
 
+/// The configuration with `settings` over its own.
+[[nodiscard]] MethodConfig with(MethodConfig config, const core::ParamValues& settings);
+
 /// Throws core::Error (where = "--set") for other text.
 [[nodiscard]] Setting parse_setting(const std::string& text);
-
-/// The parameter of a method that is called `key`, or null.
-[[nodiscard]] const core::Param* find_param(const method::MethodInfo& info, std::string_view key);
 
 /// The parameter that a setting is for; null if it is for other methods, or of a key that this one
 /// does not know.

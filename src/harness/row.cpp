@@ -6,6 +6,10 @@ Place place_of(const Row& row) {
     return {row.scene, row.view, row.width, row.height};
 }
 
+const core::Provenance& provenance_of(const Row& row) {
+    return row.provenance ? *row.provenance : core::provenance();
+}
+
 void clear_scores(Row& row) {
     const auto clear = [](auto&... fields) { ((fields = {}), ...); };
     clear(row.f_2px, row.f_1px, row.precision_2px, row.recall_2px, row.mean_width_px, row.ap);

@@ -124,6 +124,9 @@ void clear_times(Row& row);
 using Place = std::tuple<std::string, std::string, int, int>;
 [[nodiscard]] Place place_of(const Row& row);
 
+/// The program and machine that a row comes from.
+[[nodiscard]] const core::Provenance& provenance_of(const Row& row);
+
 /// The row of the truth itself. It is scored against each choice of what counts by the truth of
 /// that choice, so that it is 1 in every column that is an F.
 inline constexpr std::string_view kOracle = "oracle";

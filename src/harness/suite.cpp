@@ -190,11 +190,8 @@ SceneViews make_scene_views(scene::Scene scene, const ViewRequest& request) {
 
 std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
                                     const ViewRequest& request) {
-    std::vector<std::string> all = names;
-    if (all.empty()) {
-        for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
-            all.push_back(entry.name);
-    }
+    const std::vector<std::string> all =
+        names.empty() ? core::names_of(catalogue::catalogue()) : names;
     std::vector<SceneViews> scenes;
     std::set<std::string> taken;
     for (const std::string& name : all) {

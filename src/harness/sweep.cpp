@@ -9,9 +9,7 @@ std::vector<MethodConfig> sweep_configs(const MethodConfig& config) {
     std::vector<MethodConfig> configs;
     std::set<core::ParamValues> known;
     for (const core::ParamValues& setting : config.info->sweep) {
-        MethodConfig swept = config;
-        for (const auto& [name, value] : setting)
-            swept.settings[name] = value;
+        const MethodConfig swept = with(config, setting);
         if (known.insert(swept.info->complete(swept.settings)).second) configs.push_back(swept);
     }
     return configs;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include "core/progress.h"
@@ -65,9 +65,8 @@ void report_progress(truth::TruthOptions& options) {
 }
 
 double TraceOptions::crease_deg() const {
-    constexpr double kDegPerRad = 180 / std::numbers::pi;
     constexpr double kPerDegree = 1e9;
-    return std::round(truth.crease_rad * kDegPerRad * kPerDegree) / kPerDegree;
+    return std::round(glm::degrees(truth.crease_rad) * kPerDegree) / kPerDegree;
 }
 
 core::Image<std::uint8_t> ViewTruth::counted_labels() const {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/named.h"
+
 namespace ink::studies {
 namespace {
-
-using harness::find_param;
 
 double value_of(const core::Param& param, const core::ParamValues& all) {
     return core::parse_param(param, all.at(param.name), "a study");
@@ -26,7 +26,8 @@ void set_nearest(const core::Param& param, double value, core::ParamValues& sett
 /// Of a packed code: those of its parameters that say how many codes a channel spans.
 std::vector<const core::Param*> code_ranges(const method::MethodInfo& info) {
     std::vector<const core::Param*> ranges;
-    if (find_param(info, "overflow") == nullptr && find_param(info, "scale_bits") == nullptr)
+    if (core::find_named(info.params, "overflow") == nullptr &&
+        core::find_named(info.params, "scale_bits") == nullptr)
         return ranges;
     for (const core::Param& param : info.params) {
         if (param.name.starts_with("range_")) ranges.push_back(&param);
@@ -50,14 +51,14 @@ void apply_gain(double gain, harness::MethodConfig& config) {
     const core::ParamValues all = config.info->complete(config.settings);
     for (const core::Param* range : ranges)
         set_nearest(*range, value_of(*range, all) * gain, config.settings);
-    const core::Param* threshold = find_param(*config.info, "threshold");
+    const core::Param* threshold = core::find_named(config.info->params, "threshold");
     set_nearest(*threshold, value_of(*threshold, all) * gain, config.settings);
 }
 
 /// Fewer bits: the same lines at the same edge responses, from coarser codes.
 void apply_bits(int bits, harness::MethodConfig& config) {
     const std::vector<const core::Param*> ranges = code_ranges(*config.info);
-    const core::Param* scale = find_param(*config.info, "scale_bits");
+    const core::Param* scale = core::find_named(config.info->params, "scale_bits");
     if (ranges.empty() || scale == nullptr) return;
     const core::ParamValues all = config.info->complete(config.settings);
     const double most = ranges.front()->max;  // of a code: 255 or 65535
@@ -68,7 +69,7 @@ void apply_bits(int bits, harness::MethodConfig& config) {
         set_nearest(*range, std::floor(std::ldexp(value, -fewer)), config.settings);
     }
     set_nearest(*scale, value_of(*scale, all) + fewer, config.settings);
-    if (const core::Param* clip = find_param(*config.info, "clip_bits"))
+    if (const core::Param* clip = core::find_named(config.info->params, "clip_bits"))
         set_nearest(*clip, value_of(*clip, all) - fewer, config.settings);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
@@ -31,9 +32,7 @@ void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, Axi
         if (!row->row.is_ok()) continue;
         const score::CurveCount counts{row->row.k_2px, row->row.n_pred, row->row.n_truth};
         clusters.push_back(counts);
-        all.k += counts.k;
-        all.n_pred += counts.n_pred;
-        all.n_truth += counts.n_truth;
+        all += counts;
     }
     point.cases = static_cast<int>(clusters.size());
     if (clusters.empty()) return;
@@ -43,6 +42,16 @@ void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, Axi
     if (all.n_pred > 0) point.precision = k / static_cast<double>(all.n_pred);
     if (all.n_truth > 0) point.recall = k / static_cast<double>(all.n_truth);
     point.truth_px = all.n_truth;
+}
+
+/// The point whose F comes before that of all others; null if none has one.
+template <class Before>
+const AxisPoint* first_of(const std::vector<AxisPoint>& points, Before before) {
+    const AxisPoint* found = nullptr;
+    for (const AxisPoint& point : points) {
+        if (point.f && (found == nullptr || before(*point.f, *found->f))) found = &point;
+    }
+    return found;
 }
 
 /// Axes with a score, or with a fault.
@@ -115,19 +124,11 @@ const harness::TableOf<AxisPoint>& axis_summary_table() {
 }
 
 const AxisPoint* AxisCurve::best() const {
-    const AxisPoint* found = nullptr;
-    for (const AxisPoint& point : points) {
-        if (point.f && (found == nullptr || *point.f > *found->f)) found = &point;
-    }
-    return found;
+    return first_of(points, std::greater<>());
 }
 
 const AxisPoint* AxisCurve::worst() const {
-    const AxisPoint* found = nullptr;
-    for (const AxisPoint& point : points) {
-        if (point.f && (found == nullptr || *point.f < *found->f)) found = &point;
-    }
-    return found;
+    return first_of(points, std::less<>());
 }
 
 double AxisCurve::loss() const {

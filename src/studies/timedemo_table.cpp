@@ -81,40 +81,34 @@ const harness::TableOf<FrameLine>& frames_table() {
             "timedemo.csv",
             "A line per frame, pass, path and method of `inkbench timedemo`, which "
             "writes this file alone.");
-        const auto add = [&table](harness::Column column, auto value_of) {
-            table.add_derived(std::move(column), value_of);
+        table.add_derived({"scene", "", "that moves"},
+                          [](const FrameLine& l) { return l.scene_views.scene.name; });
+        const auto view =
+            table.part([](auto& l) -> const scene::View& { return l.scene_views.views.front(); });
+        view.add_derived({"width", "px", "of the image"}, &scene::View::width_px);
+        view.add_derived({"height", "px", "of the image"}, &scene::View::height_px);
+        using F = DemoFrame;
+        const auto frame = table.part([](auto& l) -> const F& { return l.frame; });
+        const auto add_time = [&frame](const char* name, std::int64_t F::*ns, const char* doc) {
+            frame.add_derived({name, "ns", doc, true}, ns);
         };
-        const auto add_time = [&table](
-                                  std::string name, std::int64_t DemoFrame::*ns, std::string doc) {
-            table.add_derived({std::move(name), "ns", std::move(doc), true},
-                              [ns](const FrameLine& l) { return l.frame.*ns; });
-        };
-        using L = FrameLine;
-        add({"scene", "", "that moves"}, [](const L& l) { return l.scene_views.scene.name; });
-        add({"width", "px", "of the image"},
-            [](const L& l) { return l.scene_views.views.front().width_px; });
-        add({"height", "px", "of the image"},
-            [](const L& l) { return l.scene_views.views.front().height_px; });
-        add({"path", "", "how the camera moves: orbit, dolly, shake, pan, roll, own"},
-            [](const L& l) { return l.frame.path; });
-        add({"method", "", "as registered"}, [](const L& l) { return l.frame.method; });
-        add({"pass", "", "0: every frame for the first time"},
-            [](const L& l) { return l.frame.pass; });
-        add({"frame", "", "of the path, from 0"}, [](const L& l) { return l.frame.frame; });
-        add({"time_s", "s", "of the animation"}, [](const L& l) { return l.frame.time_s; });
-        add_time("fill_ns", &DemoFrame::fill_ns, "the surface moved and filled with one tone");
-        add_time("shade_ns", &DemoFrame::shade_ns, "shading, its own rasterization included");
-        add_time("toon_ns", &DemoFrame::toon_ns, "the same by the toon table");
-        add_time("strokes_ns", &DemoFrame::strokes_ns, "the same by strokes");
-        add_time(
-            "pose_ns", &DemoFrame::pose_ns, "of the method; with its prepare in the first frame");
-        add_time("draw_ns", &DemoFrame::draw_ns, "of the method");
-        add_time("compose_ns", &DemoFrame::compose_ns, "the lines put over the shading");
+        frame.add_derived({"path", "", "how the camera moves: orbit, dolly, shake, pan, roll, own"},
+                          &F::path);
+        frame.add_derived({"method", "", "as registered"}, &F::method);
+        frame.add_derived({"pass", "", "0: every frame for the first time"}, &F::pass);
+        frame.add_derived({"frame", "", "of the path, from 0"}, &F::frame);
+        frame.add_derived({"time_s", "s", "of the animation"}, &F::time_s);
+        add_time("fill_ns", &F::fill_ns, "the surface moved and filled with one tone");
+        add_time("shade_ns", &F::shade_ns, "shading, its own rasterization included");
+        add_time("toon_ns", &F::toon_ns, "the same by the toon table");
+        add_time("strokes_ns", &F::strokes_ns, "the same by strokes");
+        add_time("pose_ns", &F::pose_ns, "of the method; with its prepare in the first frame");
+        add_time("draw_ns", &F::draw_ns, "of the method");
+        add_time("compose_ns", &F::compose_ns, "the lines put over the shading");
         add_time("hand_ns",
-                 &DemoFrame::hand_ns,
+                 &F::hand_ns,
                  "the lines thinned instead, drawn again by hand and put over the strokes");
-        add({"image_hash", "", "of the edge responses"},
-            [](const L& l) { return l.frame.image_hash; });
+        frame.add_derived({"image_hash", "", "of the edge responses"}, &F::image_hash);
         return table;
     }();
     return kTable;

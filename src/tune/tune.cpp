@@ -22,13 +22,7 @@ namespace {
 /// Thrown between two evaluations after Ctrl-C.
 struct Interrupted {};
 
-/// The settings that the user fixed, with those of the parameters over them.
-harness::MethodConfig with(const harness::MethodConfig& config, const core::ParamValues& settings) {
-    harness::MethodConfig changed = config;
-    for (const auto& [name, value] : settings)
-        changed.settings[name] = value;
-    return changed;
-}
+using harness::with;
 
 /// A search under way: answers the optimiser from what is known, from the disk or by drawing.
 class Tuner {
@@ -172,10 +166,10 @@ void set_best_threshold(const harness::MethodConfig& config,
 }
 
 void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
-    methods::PresetFile file{options.name, options.config.info, options.config.settings, {}};
-    for (const auto& [name, value] : result.tuned.settings)
-        file.settings[name] = value;
-    file.provenance = provenance_lines(result, options);
+    const methods::PresetFile file{options.name,
+                                   options.config.info,
+                                   with(options.config, result.tuned.settings).settings,
+                                   provenance_lines(result, options)};
     result.preset = options.out / (options.name + ".toml");
     core::write_whole_file(result.preset, methods::preset_toml(file));
     finish_folder(result, options, space);

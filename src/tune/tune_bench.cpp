@@ -50,6 +50,16 @@ std::string key_at(harness::MethodConfig config, const TunedParameter& parameter
     return code ? inputs_key(*code) : "";
 }
 
+/// Makes what has this key the latest of all that is kept; false if nothing has.
+template <class Kept>
+bool make_latest(Kept& kept, const std::string& key) {
+    const auto found =
+        std::find_if(kept.begin(), kept.end(), [&](const auto& each) { return each.key == key; });
+    if (found == kept.end()) return false;
+    std::rotate(found, found + 1, kept.end());
+    return true;
+}
+
 /// Settings whose images are kept: the one in hand and the one before it.
 constexpr std::size_t kKeptImages = 2;
 
@@ -90,12 +100,7 @@ bool TunePlanes::can_search(const harness::MethodConfig& config, const TuneSpace
 
 const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code, int threads) {
     const std::string key = inputs_key(code);
-    const auto found = std::find_if(
-        kept_.begin(), kept_.end(), [&](const PlaneSet& set) { return set.key == key; });
-    if (found != kept_.end()) {
-        std::rotate(found, found + 1, kept_.end());
-        return kept_.back();
-    }
+    if (make_latest(kept_, key)) return kept_.back();
     while (!kept_.empty() && (kept_.size() + 1) * set_bytes() > kMostBytes)
         kept_.erase(kept_.begin());
     PlaneSet set{key, std::vector<linear_code::ChannelPlanes>(views_.size())};
@@ -182,13 +187,8 @@ std::vector<edge::EdgeImage> TuneBench::drawn_by_method(const harness::MethodCon
 const std::vector<edge::EdgeImage>& TuneBench::images_of(const harness::MethodConfig& config,
                                                          DrawnBy by) {
     const std::string key = key_of(config, by);
-    const auto found = std::find_if(
-        kept_.begin(), kept_.end(), [&](const Drawn& drawn) { return drawn.key == key; });
     // With times an image is drawn for each setting: a time belongs to it.
-    if (found != kept_.end() && !takes_times_) {
-        std::rotate(found, found + 1, kept_.end());
-        return kept_.back().images;
-    }
+    if (!takes_times_ && make_latest(kept_, key)) return kept_.back().images;
     Drawn drawn{key, {}};
     drawn.images =
         by == DrawnBy::planes ? planes_.images(config, threads_) : drawn_by_method(config);

@@ -64,9 +64,7 @@ struct SceneRow {
 };
 
 std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& options) {
-    core::ParamValues all = options.config.settings;
-    for (const auto& [name, value] : of.settings.settings)
-        all[name] = value;
+    const harness::MethodConfig config = harness::with(options.config, of.settings.settings);
     harness::Row row;
     row.method = of.settings.name;
     row.scene = of.scene;
@@ -74,7 +72,7 @@ std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& op
     row.split = scene::split_name(of.split);
     row.threads = options.threads;
     row.seed = options.plan.seed;
-    row.params = harness::join_params(options.config.info->complete(all));
+    row.params = harness::join_params(config.info->complete(config.settings));
     harness::fill_truth_settings(options.trace, row);
     row.k_2px = of.count.k;
     row.n_pred = of.count.n_pred;

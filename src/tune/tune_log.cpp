@@ -162,12 +162,15 @@ double scenes_error(const std::vector<score::CurveCount>& scenes) {
     return mean * mean;
 }
 
-double error_of(const std::vector<score::CurveCount>& scenes, TuneObjective objective) {
-    if (objective == TuneObjective::scenes) return scenes_error(scenes);
+double f_of(const std::vector<score::CurveCount>& scenes) {
     score::CurveCount pooled;
     for (const score::CurveCount& scene : scenes)
         pooled += scene;
-    return 1 - pooled.f();
+    return pooled.f();
+}
+
+double error_of(const std::vector<score::CurveCount>& scenes, TuneObjective objective) {
+    return objective == TuneObjective::scenes ? scenes_error(scenes) : 1 - f_of(scenes);
 }
 
 std::vector<score::CurveCount> leave_one_view_out(const std::vector<TuneStep>& steps,

@@ -70,6 +70,9 @@ enum class TuneObjective {
 /// The square of the mean root of 1 - F over `scenes`; 0 if there are none.
 [[nodiscard]] double scenes_error(const std::vector<score::CurveCount>& scenes);
 
+/// F of all scenes pooled.
+[[nodiscard]] double f_of(const std::vector<score::CurveCount>& scenes);
+
 /// What `objective`, `error` or `scenes`, makes of the counts of each scene.
 [[nodiscard]] double error_of(const std::vector<score::CurveCount>& scenes,
                               TuneObjective objective);

@@ -12,13 +12,6 @@
 namespace ink::tune {
 namespace {
 
-double f_of(const std::vector<score::CurveCount>& clusters) {
-    score::CurveCount sum;
-    for (const score::CurveCount& count : clusters)
-        sum += count;
-    return sum.f();
-}
-
 std::string interval_text(const std::optional<statistics::Interval>& interval) {
     // Of the error: what is high in F is low in E.
     return interval ? fmt::format("[{:.4f}, {:.4f}]", 1 - interval->high, 1 - interval->low) : "-";

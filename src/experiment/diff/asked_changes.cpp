@@ -9,8 +9,6 @@
 namespace ink::experiment {
 namespace {
 
-using Values = std::map<std::string, std::string>;
-
 /// Adds every value below `node`, by its dotted key. Arrays of plain values stay one text.
 void flatten(const toml::node& node, const std::string& key, Values& values) {
     const auto below = [&](std::string_view name) {
@@ -46,10 +44,14 @@ Values values_of(const std::string& document) {
 }  // namespace
 
 std::vector<AskedChange> asked_changes(const std::string& a, const std::string& b) {
+    return changes_of(values_of(a), values_of(b));
+}
+
+std::vector<AskedChange> changes_of(const Values& a, const Values& b) {
     std::map<std::string, AskedChange> changes;
-    for (const auto& [key, value] : values_of(a))
+    for (const auto& [key, value] : a)
         changes[key] = {key, value, "-"};
-    for (const auto& [key, value] : values_of(b))
+    for (const auto& [key, value] : b)
         changes.try_emplace(key, AskedChange{key, "-", ""}).first->second.b = value;
     std::vector<AskedChange> changed;
     for (const auto& [key, change] : changes) {

@@ -1,10 +1,13 @@
 #include "experiment/diff/cell_pairs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
-#include <string_view>
 #include <tuple>
+
+#include "experiment/diff/run_diff.h"
+#include "harness/tables/sweep_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -53,16 +56,9 @@ std::vector<summary::RowPair> take_pairs(Rows& a, Rows& b, bool with_params) {
     return pairs;
 }
 
-std::map<std::string, std::string> parameters_of(std::string_view text) {
-    std::map<std::string, std::string> parameters;
-    while (!text.empty()) {
-        const std::string_view part = text.substr(0, text.find(';'));
-        const auto equals = part.find('=');
-        if (equals != std::string_view::npos)
-            parameters.emplace(part.substr(0, equals), part.substr(equals + 1));
-        text.remove_prefix(part.size() + (part.size() < text.size() ? 1 : 0));
-    }
-    return parameters;
+Values parameters_of(const std::string& params) {
+    const auto pairs = harness::split_params(params);
+    return {pairs.begin(), pairs.end()};
 }
 
 }  // namespace
@@ -80,20 +76,10 @@ CellPairs pair_cells(const std::vector<harness::Row>& a, const std::vector<harne
 }
 
 std::string changed_parameters(const std::string& a, const std::string& b) {
-    const auto of_a = parameters_of(a);
-    const auto of_b = parameters_of(b);
-    std::map<std::string, std::pair<std::string, std::string>> both;
-    for (const auto& [key, value] : of_a)
-        both[key] = {value, "-"};
-    for (const auto& [key, value] : of_b)
-        both.try_emplace(key, "-", "").first->second.second = value;
-    std::string text;
-    for (const auto& [key, values] : both) {
-        if (values.first == values.second) continue;
-        text += fmt::format(
-            "{}{} {} -> {}", text.empty() ? "" : ", ", key, values.first, values.second);
-    }
-    return text;
+    std::vector<std::string> texts;
+    for (const AskedChange& change : changes_of(parameters_of(a), parameters_of(b)))
+        texts.push_back(fmt::format("{} {} -> {}", change.key, change.a, change.b));
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 }  // namespace ink::experiment

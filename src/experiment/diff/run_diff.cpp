@@ -15,10 +15,6 @@ namespace {
 
 using harness::Row;
 
-const core::Provenance& provenance_of(const Row& row) {
-    return row.provenance ? *row.provenance : core::provenance();
-}
-
 /// What must be equal for two times to compare, and how it is called. The program's own version may
 /// differ: that is what two runs are compared for.
 std::vector<std::pair<std::string, std::string>> conditions_of(const Row& row) {

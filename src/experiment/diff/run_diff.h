@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,11 @@ struct RunDiff {
 /// What `b` changed against `a`, over their rows of the study `compare`; `seed` draws the
 /// intervals. Borrows both runs.
 [[nodiscard]] RunDiff diff_runs(const RunData& a, const RunData& b, std::uint64_t seed);
+
+using Values = std::map<std::string, std::string>;
+
+/// The keys whose values differ, in alphabetical order.
+[[nodiscard]] std::vector<AskedChange> changes_of(const Values& a, const Values& b);
 
 /// The values that two TOML documents have differently, in alphabetical order of their keys.
 /// Throws core::Error (where = "run.toml") for text that is no TOML.

@@ -80,13 +80,6 @@ class PixelLists {
     std::vector<std::uint32_t> items_;  ///< by pixel
 };
 
-double distance_to(const truth::Curve& curve, const glm::dvec2& p) {
-    const glm::dvec2 a = begin_of(curve), ab = end_of(curve) - a;
-    const double length2 = glm::dot(ab, ab);
-    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
-    return glm::length(p - (a + t * ab));
-}
-
 /// Whether the curve passes the point within `reach_px`, and not just ends or begins there.
 bool passes(const truth::Curve& curve, const glm::dvec2& p, double reach_px) {
     const glm::dvec2 a = begin_of(curve), ab = end_of(curve) - a;
@@ -197,7 +190,8 @@ void hold_points(std::span<const truth::Curve> curves,
         agreement.crosscheck_px += point.length_px;
         const bool is_covered = lists.any(p, [&](std::uint32_t item) {
             return curves[item].line_class == point.line_class &&
-                   distance_to(curves[item], p) <= kAgreement_px;
+                   distance_to_segment(p, begin_of(curves[item]), end_of(curves[item])) <=
+                       kAgreement_px;
         });
         if (is_covered) {
             agreement.crosscheck_covered_px += point.length_px;
@@ -208,6 +202,13 @@ void hold_points(std::span<const truth::Curve> curves,
 }
 
 }  // namespace
+
+double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+    const glm::dvec2 ab = b - a;
+    const double length2 = glm::dot(ab, ab);
+    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
+    return glm::length(p - (a + t * ab));
+}
 
 double ClassAgreement::truth_share() const {
     const double length = truth_px - truth_abstained_px;

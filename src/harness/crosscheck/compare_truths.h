@@ -73,6 +73,11 @@ struct Agreement {
     [[nodiscard]] double abstained_share() const;
 };
 
+/// How far a point is from the segment from a to b.
+[[nodiscard]] double distance_to_segment(const glm::dvec2& p,
+                                         const glm::dvec2& a,
+                                         const glm::dvec2& b);
+
 /// Holds the curves of a traced truth against the cross-check's points, class by class, both ways.
 ///
 /// Curves are taken every 1/8 px, each sample standing for its share of the curve's length; a

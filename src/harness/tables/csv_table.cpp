@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/parse_number.h"
 
 namespace ink::harness {
 namespace {
@@ -31,13 +30,6 @@ std::vector<std::string> take_record(std::string_view text, std::size_t& at, boo
         }
     }
     return fields;
-}
-
-template <class T>
-void read_number(const CsvField& field, const std::string& raw, T& value, const char* accepted) {
-    const auto number = core::parse_number<T>(raw);
-    if (!number) field.refuse(accepted);
-    value = *number;
 }
 
 }  // namespace
@@ -115,22 +107,6 @@ void CsvField::refuse(const std::string& accepted) const {
 void CsvField::read(bool& value) const {
     if (raw() != "true" && raw() != "false") refuse("true or false");
     value = raw() == "true";
-}
-
-void CsvField::read(int& value) const {
-    read_number(*this, raw(), value, "an integer");
-}
-
-void CsvField::read(std::int64_t& value) const {
-    read_number(*this, raw(), value, "an integer");
-}
-
-void CsvField::read(std::uint64_t& value) const {
-    read_number(*this, raw(), value, "an integer from 0");
-}
-
-void CsvField::read(double& value) const {
-    read_number(*this, raw(), value, "a number");
 }
 
 }  // namespace ink::harness

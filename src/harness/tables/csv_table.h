@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "core/parse_number.h"
 #include "harness/tables/table.h"
 
 namespace ink::harness {
@@ -48,10 +50,14 @@ class CsvField {
     /// Reads the field into `value`, which must hold all of it: "1.5" is no integer.
     void read(std::string& value) const { value = text(); }
     void read(bool& value) const;  ///< true, false
-    void read(int& value) const;
-    void read(std::int64_t& value) const;
-    void read(std::uint64_t& value) const;
-    void read(double& value) const;
+    template <class T>
+    requires std::is_arithmetic_v<T>
+    void read(T& value) const {
+        const auto number = core::parse_number<T>(raw());
+        const char* whole = std::is_signed_v<T> ? "an integer" : "an integer from 0";
+        if (!number) refuse(std::is_integral_v<T> ? whole : "a number");
+        value = *number;
+    }
     /// Nothing for an empty field.
     template <class T>
     void read(std::optional<T>& value) const {

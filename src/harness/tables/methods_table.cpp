@@ -54,17 +54,9 @@ const TableOf<MethodLine>& table() {
 
 /// The ends of what is searched, or the choices.
 std::string range_of(const core::Param& param, const method::Tunable& tunable) {
-    switch (param.kind) {
-        case core::ParamKind::flag:
-            return "false|true";
-        case core::ParamKind::choice:
-            return fmt::format("{}", fmt::join(param.choices, "|"));
-        case core::ParamKind::real:
-        case core::ParamKind::integer:
-        case core::ParamKind::text:
-        case core::ParamKind::list:
-            break;
-    }
+    if (param.kind == core::ParamKind::flag) return "false|true";
+    if (param.kind == core::ParamKind::choice)
+        return fmt::format("{}", fmt::join(param.choices, "|"));
     const auto [low, high] = tunable.range.value_or(std::pair(param.min, param.max));
     return fmt::format("{}..{}", low, high);
 }

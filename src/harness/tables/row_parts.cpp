@@ -135,27 +135,22 @@ const std::vector<Source>& sources() {
     return kSources;
 }
 
-const core::Provenance& provenance_of(const RowRecord& r) {
-    return r.row.provenance ? *r.row.provenance : core::provenance();
-}
-
 }  // namespace
 
 void add_provenance_columns(RowTable& table) {
+    const auto row = table.part(&RowRecord::row);
     for (const Source& source : sources()) {
         const auto text = source.text;
-        table.add_derived(source.column,
-                          [text](const RowRecord& r) { return provenance_of(r).*text; });
+        row.add_derived(source.column, [text](const Row& r) { return provenance_of(r).*text; });
         if (source.column.name == "commit") {
-            table.add_derived({"dirty", "", "true: the work tree differed from that commit"},
-                              [](const RowRecord& r) { return provenance_of(r).dirty; });
+            row.add_derived({"dirty", "", "true: the work tree differed from that commit"},
+                            [](const Row& r) { return provenance_of(r).dirty; });
         }
     }
     const auto& libraries = core::provenance().libraries;
     for (std::size_t i = 0; i < libraries.size(); ++i) {
-        table.add_derived(
-            {libraries[i].first, "", "version of the library"},
-            [i](const RowRecord& r) { return provenance_of(r).libraries.at(i).second; });
+        row.add_derived({libraries[i].first, "", "version of the library"},
+                        [i](const Row& r) { return provenance_of(r).libraries.at(i).second; });
     }
 }
 

@@ -4,17 +4,9 @@
 
 #include "harness/cell.h"
 #include "harness/tables/row_parts.h"
-#include "harness/tables/side_table.h"
 
 namespace ink::harness {
 namespace {
-
-/// Counts of a cell at one of many thresholds or tolerances.
-template <class At>
-struct CountsAt {
-    At at = 0;
-    score::CurveCount counts;
-};
 
 template <class At>
 SideTable<CountsAt<At>> counts_table(const std::string& file, const std::string& doc, Column at) {
@@ -28,7 +20,9 @@ SideTable<CountsAt<At>> counts_table(const std::string& file, const std::string&
     return table;
 }
 
-const SideTable<CountsAt<int>>& curves() {
+}  // namespace
+
+const SideTable<CountsAt<int>>& curves_table() {
     static const auto kTable = counts_table<int>(
         "curves.csv",
         "99 lines per scored cell: its counts within 2 px at every threshold.",
@@ -38,7 +32,7 @@ const SideTable<CountsAt<int>>& curves() {
     return kTable;
 }
 
-const SideTable<CountsAt<double>>& tolerances() {
+const SideTable<CountsAt<double>>& tolerances_table() {
     static const auto kTable = counts_table<double>(
         "tolerances.csv",
         "A line per scored cell and tolerance: its counts at its own threshold.",
@@ -46,7 +40,7 @@ const SideTable<CountsAt<double>>& tolerances() {
     return kTable;
 }
 
-const SideTable<BinCount>& bins() {
+const SideTable<BinCount>& bins_table() {
     static const auto kTable = [] {
         SideTable<BinCount> table(
             "bins.csv",
@@ -71,21 +65,15 @@ const SideTable<BinCount>& bins() {
     return kTable;
 }
 
-}  // namespace
-
-const TableInfo& curves_table() {
-    return curves().info();
-}
-
 std::string curve_lines(std::int64_t cell, const std::array<score::CurveCount, 99>& counts) {
     std::string lines;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        lines += curves().line(cell, {static_cast<int>(i + 1), counts[i]});
+        lines += curves_table().line(cell, {static_cast<int>(i + 1), counts[i]});
     return lines;
 }
 
 std::vector<CurveRecord> read_curves(const CsvTable& csv, const RowIndex& rows) {
-    const auto read = curves().read(csv);
+    const auto read = curves_table().read(csv);
     std::vector<CurveRecord> records;
     for (std::size_t i = 0; i < read.size(); ++i) {
         const std::size_t at = i % 99;
@@ -103,20 +91,16 @@ std::vector<CurveRecord> read_curves(const CsvTable& csv, const RowIndex& rows) 
     return records;
 }
 
-const TableInfo& tolerances_table() {
-    return tolerances().info();
-}
-
 std::string tolerance_lines(std::int64_t cell, const std::vector<score::CurveCount>& counts) {
     std::string lines;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        lines += tolerances().line(cell, {kTolerances_px.at(i), counts[i]});
+        lines += tolerances_table().line(cell, {kTolerances_px.at(i), counts[i]});
     return lines;
 }
 
 void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows) {
     const IndexOf<RowRecord> cells(rows);
-    const auto read = tolerances().read(csv);
+    const auto read = tolerances_table().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
         Row& row = cells.find(CsvField(csv, i, 0)).row;
         if (row.tolerance_sweep.size() == kTolerances_px.size())
@@ -129,20 +113,16 @@ void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows) {
     }
 }
 
-const TableInfo& bins_table() {
-    return bins().info();
-}
-
 std::string bin_lines(std::int64_t cell, const std::vector<BinCount>& counts) {
     std::string lines;
     for (const BinCount& bin : counts)
-        lines += bins().line(cell, bin);
+        lines += bins_table().line(cell, bin);
     return lines;
 }
 
 void join_bins(const CsvTable& csv, std::vector<RowRecord>& rows) {
     const IndexOf<RowRecord> cells(rows);
-    const auto read = bins().read(csv);
+    const auto read = bins_table().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
         Row& row = cells.find(CsvField(csv, i, 0)).row;
         if (!row.lines) CsvField(csv, i, 0).refuse("a cell whose row has line scores");

@@ -6,14 +6,21 @@
 #include <vector>
 
 #include "harness/bins.h"
-#include "harness/tables/row_table.h"
+#include "harness/tables/side_table.h"
 #include "score/score.h"
 #include "statistics/ods.h"
 
 namespace ink::harness {
 
+/// Counts of a cell at one of many thresholds or tolerances.
+template <class At>
+struct CountsAt {
+    At at = 0;
+    score::CurveCount counts;
+};
+
 /// The columns of curves.csv: cell, threshold, k, n_pred, n_truth.
-[[nodiscard]] const TableInfo& curves_table();
+[[nodiscard]] const SideTable<CountsAt<int>>& curves_table();
 
 /// The 99 lines of a cell, each ended: threshold = 1..99 hundredths of the full edge response.
 [[nodiscard]] std::string curve_lines(std::int64_t cell,
@@ -31,7 +38,7 @@ struct CurveRecord {
 [[nodiscard]] std::vector<CurveRecord> read_curves(const CsvTable& csv, const RowIndex& rows);
 
 /// The columns of tolerances.csv: cell, tolerance_px, k, n_pred, n_truth.
-[[nodiscard]] const TableInfo& tolerances_table();
+[[nodiscard]] const SideTable<CountsAt<double>>& tolerances_table();
 
 /// A line per tolerance at which the cell was scored (kTolerances_px), each ended; "" for none.
 [[nodiscard]] std::string tolerance_lines(std::int64_t cell,
@@ -42,7 +49,7 @@ struct CurveRecord {
 void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows);
 
 /// The columns of bins.csv: cell, attribute, low, high, k, n_truth.
-[[nodiscard]] const TableInfo& bins_table();
+[[nodiscard]] const SideTable<BinCount>& bins_table();
 
 /// The lines of one cell, one a bin that has true pixels, each ended; "" if none has. Infinity is
 /// "inf".

@@ -1,6 +1,9 @@
 #include "harness/tables/table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/named.h"
 
 namespace ink::harness {
 namespace {
@@ -18,10 +21,7 @@ std::string cell_text(const std::string& text) {
 }  // namespace
 
 std::string heading(const TableInfo& table) {
-    std::string line;
-    for (const Column& column : table.columns)
-        line += (line.empty() ? "" : ",") + column.name;
-    return line + "\n";
+    return fmt::format("{}\n", fmt::join(core::names_of(table.columns), ","));
 }
 
 std::string dictionary_section(const TableInfo& table) {
