@@ -11,4 +11,13 @@ template <class T>
     return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
+/// An array of what `json_of` makes of each.
+template <class Json = nlohmann::json, class All, class JsonOf>
+[[nodiscard]] Json list_of(const All& all, JsonOf json_of) {
+    Json list = Json::array();
+    for (const auto& each : all)
+        list.push_back(json_of(each));
+    return list;
+}
+
 }  // namespace ink::cli

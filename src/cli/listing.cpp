@@ -18,12 +18,16 @@
 namespace ink::cli {
 namespace {
 
+/// What a method or a shading is, and who described it.
+std::string name_lines(const auto& info) {
+    return fmt::format(
+        "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+}
+
 std::string list_methods() {
-    std::string text;
-    text += fmt::format("methods (inkbench compare --methods a,b)\n");
+    std::string text = "methods (inkbench compare --methods a,b)\n";
     for (const method::MethodInfo& info : methods::registry()) {
-        text += fmt::format(
-            "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+        text += name_lines(info);
         text +=
             fmt::format("  {:<10} cost: {}\n", "", method::cost_sentence(info.make({})->cost()));
     }
@@ -31,8 +35,7 @@ std::string list_methods() {
 }
 
 std::string list_scenes() {
-    std::string text;
-    text += fmt::format("scenes (inkbench compare --scenes a,b)\n");
+    std::string text = "scenes (inkbench compare --scenes a,b)\n";
     for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
         const scene::Scene made = entry.make();
         text += fmt::format("  {:<16} {:<8} {:>6} triangles, {} views  {}\n",
@@ -60,8 +63,7 @@ std::string list_parameters(const std::string& owner, const std::vector<core::Pa
 }
 
 std::string list_params() {
-    std::string text;
-    text += fmt::format("parameters (--set key=value, or --set method.key=value)\n");
+    std::string text = "parameters (--set key=value, or --set method.key=value)\n";
     for (const method::MethodInfo& info : methods::registry())
         text += list_parameters(info.name, info.params);
     return text;
@@ -70,8 +72,7 @@ std::string list_params() {
 std::string list_shadings() {
     std::string text = "shadings (inkbench draw --shading NAME --set-shade key=value)\n";
     for (const shade::ShadingInfo& info : shade::shadings()) {
-        text += fmt::format(
-            "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+        text += name_lines(info);
         text += list_parameters("parameters of " + info.name, info.params);
     }
     text += "lines by hand (inkbench draw --hand-drawn --set-hand key=value)\n";
@@ -80,8 +81,7 @@ std::string list_shadings() {
 }
 
 std::string list_metrics() {
-    std::string text;
-    text += fmt::format("columns of rows.csv\n");
+    std::string text = "columns of rows.csv\n";
     for (const harness::Column& column : harness::rows_table().info().columns)
         text += fmt::format("  {:<22} {:<10} {}\n", column.name, column.unit, column.doc);
     return text;
@@ -112,12 +112,6 @@ std::string list_axes() {
 }  // namespace
 
 std::string listing(const std::string& what) {
-    const std::vector<std::string> known = {
-        "all", "methods", "scenes", "params", "metrics", "columns", "skips", "shadings", "axes"};
-    if (std::find(known.begin(), known.end(), what) == known.end()) {
-        throw core::Error(
-            "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
-    }
     std::string text;
     if (what == "all" || what == "methods") text += list_methods();
     if (what == "all" || what == "scenes") text += list_scenes();

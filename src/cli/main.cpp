@@ -124,9 +124,7 @@ int refuse(std::string message) {
 
 void check_subcommand(const CLI::App& app, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return;
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({}))
-        names.push_back(command->get_name());
+    const std::vector<std::string> names = command_names(app);
     if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
         throw core::Error(argv[1], "there is no such command", core::known_names(names, argv[1]));
     }

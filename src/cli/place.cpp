@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 
+#include "scene/box.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
 namespace ink::cli {
 namespace {
-
-constexpr double kDegPerRad = 180 / std::numbers::pi;
 
 std::string text_of(const glm::dvec3& p, int digits) {
     return fmt::format("{:.{}g},{:.{}g},{:.{}g}", p.x, digits, p.y, digits, p.z, digits);
@@ -45,11 +43,11 @@ Place place_of(const harness::SceneViews& scene_views) {
     place.not_heeded = scene_views.scene.file.notes;
     place.center_world = sphere.center_world;
     place.radius = sphere.radius;
-    place.low_world = place.high_world = surface.p_world.front();
-    for (const auto& p : surface.p_world) {
-        place.low_world = glm::min(place.low_world, glm::dvec3(p));
-        place.high_world = glm::max(place.high_world, glm::dvec3(p));
-    }
+    scene::Box box;
+    for (const glm::dvec3& p : surface.p_world)
+        box.add(p);
+    place.low_world = box.low;
+    place.high_world = box.high;
     for (const scene::View& view : scene_views.views) {
         const scene::Camera& camera = view.camera;
         const double away = glm::distance(camera.eye_world, sphere.center_world);
@@ -58,7 +56,7 @@ Place place_of(const harness::SceneViews& scene_views) {
                                  camera.eye_world,
                                  camera.eye_world - reach * axis(camera, 2),
                                  axis(camera, 1),
-                                 camera.fov_y_rad * kDegPerRad});
+                                 glm::degrees(camera.fov_y_rad)});
     }
     for (glm::dvec3* p : {&place.low_world, &place.high_world, &place.center_world})
         *p += place.origin;

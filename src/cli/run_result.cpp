@@ -29,35 +29,31 @@ constexpr int kInvalid = 1;  ///< also where no cell has a score
 constexpr int kUnscored = 3;
 
 json methods_json(const std::vector<harness::Row>& rows) {
-    json methods = json::array();
-    for (const summary::MethodSummary& s : summary::summarise(rows)) {
-        methods.push_back({{"method", s.method},
-                           {"views", s.views},
-                           {"failed", s.failed},
-                           {"f_2px", or_null(s.f_2px)},
-                           {"f_train", or_null(s.f_train)},
-                           {"f_heldout", or_null(s.f_heldout)},
-                           {"f_real", or_null(s.f_real)},
-                           {"f_1px", or_null(s.f_1px)},
-                           {"precision_2px", or_null(s.precision)},
-                           {"recall_2px", or_null(s.recall)},
-                           {"draw_ms", or_null(s.draw_ms)}});
-    }
-    return methods;
+    return list_of(summary::summarise(rows), [](const summary::MethodSummary& s) -> json {
+        return {{"method", s.method},
+                {"views", s.views},
+                {"failed", s.failed},
+                {"f_2px", or_null(s.f_2px)},
+                {"f_train", or_null(s.f_train)},
+                {"f_heldout", or_null(s.f_heldout)},
+                {"f_real", or_null(s.f_real)},
+                {"f_1px", or_null(s.f_1px)},
+                {"precision_2px", or_null(s.precision)},
+                {"recall_2px", or_null(s.recall)},
+                {"draw_ms", or_null(s.draw_ms)}};
+    });
 }
 
 using UnscoredCells = std::vector<summary::Unscored>;
 
 json unscored_json(const UnscoredCells& cells) {
-    json unscored = json::array();
-    for (const summary::Unscored& cell : cells) {
-        unscored.push_back({{"scene", cell.scene},
-                            {"view", cell.view},
-                            {"method", cell.method},
-                            {"reason", cell.reason},
-                            {"remedy", cell.remedy}});
-    }
-    return unscored;
+    return list_of(cells, [](const summary::Unscored& cell) -> json {
+        return {{"scene", cell.scene},
+                {"view", cell.view},
+                {"method", cell.method},
+                {"reason", cell.reason},
+                {"remedy", cell.remedy}};
+    });
 }
 
 json result_json(const experiment::RunData& run,

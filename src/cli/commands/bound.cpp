@@ -45,11 +45,8 @@ void add_bound_command(CLI::App& app) {
         "score. F model: its weights scored by the bound's more lenient rule.\n"
         "Example: inkbench bound torus gem --method mote4 --size 640x360\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");
-    command->callback([args, command] {
-        experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = run_command_text(*command);
-        run_to_end(experiment, args->folder, args->cache);
-    });
+    command->callback(
+        [args, command] { run_to_end(*command, experiment_of(*args), args->folder, args->cache); });
 }
 
 }  // namespace ink::cli

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 /// One function per subcommand: it adds itself to the program; its callback runs when it is chosen.
 ///
@@ -28,5 +30,8 @@ void add_report_command(CLI::App& app);
 void add_timedemo_command(CLI::App& app);
 void add_tune_command(CLI::App& app);
 void add_stress_command(CLI::App& app);
+
+/// The names of all subcommands.
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
 }  // namespace ink::cli

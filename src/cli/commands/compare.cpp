@@ -107,9 +107,7 @@ void add_compare_command(CLI::App& app) {
     command->callback([args, command] {
         if (args->demo) apply_demo(*args, *command);
         if (args->quick) apply_quick(*args, *command);
-        experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = run_command_text(*command);
-        run_to_end(experiment, args->folder, args->cache);
+        run_to_end(*command, experiment_of(*args), args->folder, args->cache);
     });
 }
 

@@ -133,9 +133,7 @@ std::string command_cases(const CLI::App& program, const ValueWords& words) {
 /// options and arguments whose type is in `words` or is a choice "a|b|c"; file names elsewhere.
 /// Lists a,b are completed at their last part. zsh takes it through bashcompinit.
 std::string bash_completions(const CLI::App& program, const ValueWords& words) {
-    std::vector<std::string> first;
-    for (const CLI::App* command : program.get_subcommands({}))
-        first.push_back(command->get_name());
+    std::vector<std::string> first = command_names(program);
     for (const CLI::Option* option : program.get_options()) {
         const auto names = spellings(*option);
         first.insert(first.end(), names.begin(), names.end());
@@ -161,8 +159,7 @@ ValueWords value_words(const CLI::App& program) {
     for (const core::Param& param : experiment::option_table().rows.params())
         if (param.kind == core::ParamKind::list && !param.choices.empty())
             words[param.unit] = param.choices;
-    for (const CLI::App* command : program.get_subcommands({}))
-        words["COMMAND"].push_back(command->get_name());
+    words["COMMAND"] = command_names(program);
     return words;
 }
 

@@ -24,47 +24,44 @@ struct DiffArgs {
 };
 
 json cells_json(const std::vector<const harness::Row*>& rows) {
-    json cells = json::array();
-    for (const harness::Row* row : rows) {
-        cells.push_back({{"method", row->method},
-                         {"scene", row->scene},
-                         {"view", row->view},
-                         {"width", row->width},
-                         {"height", row->height},
-                         {"params", row->params}});
-    }
-    return cells;
+    return list_of(rows, [](const harness::Row* row) -> json {
+        return {{"method", row->method},
+                {"scene", row->scene},
+                {"view", row->view},
+                {"width", row->width},
+                {"height", row->height},
+                {"params", row->params}};
+    });
 }
 
 json diff_json(const experiment::RunDiff& diff) {
-    json methods = json::array();
-    for (const experiment::MethodDiff& method : diff.methods) {
-        methods.push_back({{"method", method.method},
-                           {"settings", method.settings},
-                           {"cells", method.cells},
-                           {"changed_images", method.changed_images},
-                           {"changed_scores", method.changed_scores},
-                           {"lost", method.lost},
-                           {"won", method.won},
-                           {"f_before", or_null(method.f_a)},
-                           {"f_after", or_null(method.f_b)},
-                           {"difference", or_null(method.difference)},
-                           {"lo", method.range ? json(method.range->low) : json(nullptr)},
-                           {"hi", method.range ? json(method.range->high) : json(nullptr)},
-                           {"time_ratio", or_null(method.time_ratio)},
-                           {"worse", method.is_worse()}});
-    }
-    json asked = json::array();
-    for (const experiment::AskedChange& change : diff.asked)
-        asked.push_back({{"key", change.key}, {"before", change.a}, {"after", change.b}});
+    const auto method_json = [](const experiment::MethodDiff& method) -> json {
+        return {{"method", method.method},
+                {"settings", method.settings},
+                {"cells", method.cells},
+                {"changed_images", method.changed_images},
+                {"changed_scores", method.changed_scores},
+                {"lost", method.lost},
+                {"won", method.won},
+                {"f_before", or_null(method.f_a)},
+                {"f_after", or_null(method.f_b)},
+                {"difference", or_null(method.difference)},
+                {"lo", method.range ? json(method.range->low) : json(nullptr)},
+                {"hi", method.range ? json(method.range->high) : json(nullptr)},
+                {"time_ratio", or_null(method.time_ratio)},
+                {"worse", method.is_worse()}};
+    };
+    const auto change_json = [](const experiment::AskedChange& change) -> json {
+        return {{"key", change.key}, {"before", change.a}, {"after", change.b}};
+    };
     return {{"same", diff.is_same()},
             {"worse", diff.is_worse()},
-            {"asked", asked},
+            {"asked", list_of(diff.asked, change_json)},
             {"new", cells_json(diff.cells.added)},
             {"gone", cells_json(diff.cells.gone)},
             {"changed_truths", diff.changed_truths},
             {"times_obstacle", diff.times_obstacle},
-            {"methods", methods}};
+            {"methods", list_of(diff.methods, method_json)}};
 }
 
 /// Throws core::Error unless the run has rows to pair.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/commands.h"
+#include "cli/json_values.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -55,12 +56,12 @@ Json json_of(const draw::Explanation& explanation) {
         json["views"][view.view] = json_of(view.facts);
     json["methods"] = Json::object();
     for (const draw::MethodExplanation& method : explanation.methods) {
-        Json plan = Json::array();
-        for (const auto& line : method.plan)
-            plan.push_back({{"what", line.what}, {"why", line.why}});
+        const auto line_json = [](const method::PlanLine& line) -> Json {
+            return {{"what", line.what}, {"why", line.why}};
+        };
         json["methods"][method.method] = {{"skips", json_of(method.skips)},
                                           {"channels", json_of(method.channels)},
-                                          {"plan", std::move(plan)}};
+                                          {"plan", list_of<Json>(method.plan, line_json)}};
     }
     return json;
 }

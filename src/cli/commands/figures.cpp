@@ -217,8 +217,8 @@ void make_and_show(const FiguresArgs& args, const CLI::App& command) {
     const fs::path run = fs::path(args.folder.out) / "run";
     int code = 0;
     try {
-        run_to_end(
-            experiment, {.out = run.string(), .is_forced = args.folder.is_forced}, args.cache);
+        const RunFolderOptions folder{.out = run.string(), .is_forced = args.folder.is_forced};
+        run_to_end(command, experiment, folder, args.cache);
     } catch (const CLI::RuntimeError& end) {
         code = end.get_exit_code();
         if (code != 3) throw;  // 3: views without a score, which are left out of figures

@@ -17,16 +17,21 @@ std::string help_of(const CLI::App& program, const std::string& name) {
     const auto formatter = program.get_formatter();
     if (name.empty())
         return formatter->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
-    std::vector<std::string> names;
-    for (const CLI::App* command : program.get_subcommands({})) {
+    for (const CLI::App* command : program.get_subcommands({}))
         if (command->get_name() == name) return command->help(program.get_name());
-        names.push_back(command->get_name());
-    }
-    throw core::Error(
-        "help", fmt::format("there is no command '{}'", name), core::known_names(names, name));
+    throw core::Error("help",
+                      fmt::format("there is no command '{}'", name),
+                      core::known_names(command_names(program), name));
 }
 
 }  // namespace
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({}))
+        names.push_back(command->get_name());
+    return names;
+}
 
 void add_help_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();

@@ -11,8 +11,10 @@
 #include "catalogue/catalogue.h"
 #include "cli/commands/commands.h"
 #include "cli/help_format.h"
+#include "cli/json_values.h"
 #include "cli/listing.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "core/param.h"
 #include "experiment/dictionary.h"
 #include "harness/tables/methods_table.h"
@@ -31,93 +33,79 @@ constexpr std::size_t kListWidth = 80;
 constexpr std::size_t kMostNames = 100;  ///< of one topic in the overview
 
 Json params_json(const std::vector<core::Param>& params) {
-    Json list = Json::array();
-    for (const core::Param& param : params) {
-        list.push_back({{"name", param.name},
-                        {"default", core::format_param(param, param.default_value)},
-                        {"accepted", core::accepted_values(param)},
-                        {"min", param.min},
-                        {"max", param.max},
-                        {"unit", param.unit},
-                        {"doc", param.doc}});
-    }
-    return list;
+    return list_of<Json>(params, [](const core::Param& param) -> Json {
+        return {{"name", param.name},
+                {"default", core::format_param(param, param.default_value)},
+                {"accepted", core::accepted_values(param)},
+                {"min", param.min},
+                {"max", param.max},
+                {"unit", param.unit},
+                {"doc", param.doc}};
+    });
 }
 
 Json methods_json() {
-    Json list = Json::array();
-    for (const method::MethodInfo& info : methods::registry()) {
-        list.push_back({{"name", info.name},
-                        {"summary", info.summary},
-                        {"source", info.source},
-                        {"cost", method::cost_sentence(info.make({})->cost())}});
-    }
-    return list;
+    return list_of<Json>(methods::registry(), [](const method::MethodInfo& info) -> Json {
+        return {{"name", info.name},
+                {"summary", info.summary},
+                {"source", info.source},
+                {"cost", method::cost_sentence(info.make({})->cost())}};
+    });
 }
 
 Json scenes_json() {
-    Json list = Json::array();
-    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
-        const scene::Scene made = entry.make();
-        list.push_back({{"name", entry.name},
-                        {"split", scene::split_name(entry.split)},
-                        {"triangles", scene::triangle_count(made)},
-                        {"views", made.cameras.size()},
-                        {"summary", entry.summary}});
-    }
-    return list;
+    return list_of<Json>(catalogue::catalogue(),
+                         [](const catalogue::CatalogueEntry& entry) -> Json {
+                             const scene::Scene made = entry.make();
+                             return {{"name", entry.name},
+                                     {"split", scene::split_name(entry.split)},
+                                     {"triangles", scene::triangle_count(made)},
+                                     {"views", made.cameras.size()},
+                                     {"summary", entry.summary}};
+                         });
 }
 
 Json method_params_json() {
-    Json list = Json::array();
-    for (const method::MethodInfo& info : methods::registry())
-        list.push_back({{"method", info.name}, {"params", params_json(info.params)}});
-    return list;
+    return list_of<Json>(methods::registry(), [](const method::MethodInfo& info) -> Json {
+        return {{"method", info.name}, {"params", params_json(info.params)}};
+    });
 }
 
 Json columns_of(const harness::TableInfo& table) {
-    Json list = Json::array();
-    for (const harness::Column& c : table.columns)
-        list.push_back(
-            {{"name", c.name}, {"unit", c.unit}, {"doc", c.doc}, {"is_time", c.is_time}});
-    return list;
+    return list_of<Json>(table.columns, [](const harness::Column& c) -> Json {
+        return {{"name", c.name}, {"unit", c.unit}, {"doc", c.doc}, {"is_time", c.is_time}};
+    });
 }
 
 Json tables_json() {
-    Json list = Json::array();
-    for (const harness::TableInfo& table : experiment::dictionary())
-        list.push_back({{"name", table.file}, {"doc", table.doc}, {"columns", columns_of(table)}});
-    return list;
+    return list_of<Json>(experiment::dictionary(), [](const harness::TableInfo& table) -> Json {
+        return {{"name", table.file}, {"doc", table.doc}, {"columns", columns_of(table)}};
+    });
 }
 
 Json skips_json() {
-    Json list = Json::array();
-    for (const raster::SkipInfo& info : raster::skip_infos())
-        list.push_back({{"name", info.name}, {"unit", info.unit}, {"summary", info.summary}});
-    return list;
+    return list_of<Json>(raster::skip_infos(), [](const raster::SkipInfo& info) -> Json {
+        return {{"name", info.name}, {"unit", info.unit}, {"summary", info.summary}};
+    });
 }
 
 Json shadings_json() {
-    Json list = Json::array();
-    for (const shade::ShadingInfo& info : shade::shadings()) {
-        list.push_back({{"name", info.name},
-                        {"summary", info.summary},
-                        {"source", info.source},
-                        {"params", params_json(info.params)}});
-    }
-    return list;
+    return list_of<Json>(shade::shadings(), [](const shade::ShadingInfo& info) -> Json {
+        return {{"name", info.name},
+                {"summary", info.summary},
+                {"source", info.source},
+                {"params", params_json(info.params)}};
+    });
 }
 
 Json axes_json() {
-    Json list = Json::array();
-    for (const studies::Axis& axis : studies::stress_axes()) {
-        list.push_back({{"name", axis.name},
-                        {"title", axis.title},
-                        {"unit", axis.unit},
-                        {"values", axis.values},
-                        {"sentence", axis.sentence}});
-    }
-    return list;
+    return list_of<Json>(studies::stress_axes(), [](const studies::Axis& axis) -> Json {
+        return {{"name", axis.name},
+                {"title", axis.title},
+                {"unit", axis.unit},
+                {"values", axis.values},
+                {"sentence", axis.sentence}};
+    });
 }
 
 struct Topic {
@@ -156,16 +144,19 @@ std::vector<std::string> names_of(const Json& list) {
 }
 
 /// What cli::listing says as text, for programs: an object with one array per topic, each of
-/// objects with `name` first; params are objects of `method` and its `params`. Throws core::Error
-/// that lists the topics for another word than one of them or "all".
+/// objects with `name` first; params are objects of `method` and its `params`.
 Json listing_json(const std::string& what) {
     Json json = Json::object();
-    std::vector<std::string> known = {"all"};
-    for (const Topic& topic : kTopics) {
+    for (const Topic& topic : kTopics)
         if (what == "all" || what == topic.name) json[topic.name] = topic.list();
-        known.emplace_back(topic.name);
-    }
-    if (!json.empty()) return json;
+    return json;
+}
+
+/// Throws unless there is a topic of that name, or it is "all".
+void check_known(const std::string& what) {
+    std::vector<std::string> known = core::names_of(kTopics);
+    known.insert(known.begin(), "all");
+    if (std::find(known.begin(), known.end(), what) != known.end()) return;
     throw core::Error(
         "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
 }
@@ -207,6 +198,7 @@ std::string list_text(const ListArgs& args) {
     check_topic(args.is_markdown, "--markdown", args.what, "columns");
     if (args.is_csv) return harness::methods_csv(harness::make_configs("", {}));
     if (args.is_markdown) return experiment::dictionary_markdown();
+    if (!args.what.empty()) check_known(args.what);
     if (args.is_json) return listing_json(args.what.empty() ? "all" : args.what).dump(2) + "\n";
     return args.what.empty() ? list_overview() : cli::listing(args.what);
 }

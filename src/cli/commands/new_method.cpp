@@ -9,6 +9,7 @@
 
 #include "cli/commands/commands.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "core/whole_file.h"
 #include "methods/registry.h"
 
@@ -30,10 +31,8 @@ void check_method_name(const std::string& name) {
                           "a method cannot be called '" + name + "'",
                           "small letters, digits and underscores, a letter first");
     }
-    for (const method::MethodInfo& info : methods::registry()) {
-        if (info.name == name)
-            throw core::Error("inkbench new-method", "there is a method '" + name + "' already");
-    }
+    if (core::find_named(methods::registry(), name) != nullptr)
+        throw core::Error("inkbench new-method", "there is a method '" + name + "' already");
 }
 
 std::string source_text(const fs::path& path) {

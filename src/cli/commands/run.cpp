@@ -60,11 +60,8 @@ void add_run_command(CLI::App& app) {
         "Exit codes: 0 done, 1 the run is invalid or nothing has a score, 2 bad input or disk "
         "full, " +
         std::string(kUnscoredCode) + ", 130 interrupted.");
-    command->callback([args, command] {
-        experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = run_command_text(*command);
-        run_to_end(experiment, args->folder, args->cache);
-    });
+    command->callback(
+        [args, command] { run_to_end(*command, experiment_of(*args), args->folder, args->cache); });
 }
 
 }  // namespace ink::cli

@@ -30,11 +30,8 @@ void add_stress_command(CLI::App& app) {
         "Example: inkbench stress --axes grazing,origin --methods mote4,decaudin\n"
         "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell has no result or "
         "images differ that must not; 2 bad input; 130 interrupted.");
-    command->callback([args, command] {
-        experiment::Experiment experiment = args->read();
-        experiment.command = run_command_text(*command);
-        run_to_end(experiment, args->folder, args->cache);
-    });
+    command->callback(
+        [args, command] { run_to_end(*command, args->read(), args->folder, args->cache); });
 }
 
 }  // namespace ink::cli

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/commands.h"
+#include "cli/json_values.h"
 #include "cli/options/draw_options.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
@@ -37,24 +38,22 @@ nlohmann::ordered_json rates_json(const harness::SceneViews& scene_views,
                                   const studies::TimedemoOptions& options,
                                   const std::vector<studies::DemoFrame>& frames) {
     const scene::View& view = scene_views.views.front();
-    nlohmann::ordered_json json = {
-        {"scene", scene_views.scene.name},
-        {"width", view.width_px},
-        {"height", view.height_px},
-        {"threads", options.threads},
-        {"frames", options.frames},
-        {"lights", studies::has_own_lights(scene_views, options) ? "file" : "studio"},
-        {"rates", nlohmann::ordered_json::array()}};
-    for (const studies::DemoRate& rate : studies::timedemo_rates(frames)) {
-        json["rates"].push_back({{"path", rate.path},
-                                 {"method", rate.method},
-                                 {"drawn", rate.drawn},
-                                 {"cached", rate.is_cached},
-                                 {"fps", rate.fps},
-                                 {"low_fps", rate.low_fps},
-                                 {"high_fps", rate.high_fps}});
-    }
-    return json;
+    const auto rate_json = [](const studies::DemoRate& rate) -> nlohmann::ordered_json {
+        return {{"path", rate.path},
+                {"method", rate.method},
+                {"drawn", rate.drawn},
+                {"cached", rate.is_cached},
+                {"fps", rate.fps},
+                {"low_fps", rate.low_fps},
+                {"high_fps", rate.high_fps}};
+    };
+    return {{"scene", scene_views.scene.name},
+            {"width", view.width_px},
+            {"height", view.height_px},
+            {"threads", options.threads},
+            {"frames", options.frames},
+            {"lights", studies::has_own_lights(scene_views, options) ? "file" : "studio"},
+            {"rates", list_of<nlohmann::ordered_json>(studies::timedemo_rates(frames), rate_json)}};
 }
 
 void run_timedemo(const TimedemoArgs& args) {
@@ -66,9 +65,7 @@ void run_timedemo(const TimedemoArgs& args) {
     options.seed = asked.seed;
     options.frames = args.frames;
     options.lamps = shade::lamp_source(args.lights);
-    if (args.frames < 2 || args.frames > 10000) {
-        throw core::Error("--frames", fmt::format("{} is not possible", args.frames), "2..10000");
-    }
+    check_count("--frames", args.frames, 2, 10000);
     const harness::ViewRequest request = view_request(args.views);
     if (request.time_s || request.frame) {
         throw core::Error(

@@ -18,6 +18,7 @@
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/run_data.h"
+#include "methods/presets.h"
 #include "report/run_page.h"
 #include "tune/tune.h"
 #include "tune/tune_bound.h"
@@ -107,10 +108,7 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
             "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
     }
     options.budget_ms = args.budget_ms;
-    if (args.evaluations < 1 || args.evaluations > 1000000) {
-        throw core::Error(
-            "--evaluations", fmt::format("{} is not possible", args.evaluations), "1..1000000");
-    }
+    check_count("--evaluations", args.evaluations, 1, 1000000);
     check_choice("--global", args.global, tune::global_searches());
     check_choice("--local", args.local, tune::local_searches());
     options.plan = {.evaluations = args.evaluations,
@@ -125,12 +123,7 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     options.out = args.out;
     options.is_forced = args.is_forced;
     options.name = args.name.empty() ? method + "_tuned" : args.name;
-    if (options.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") !=
-        std::string::npos) {
-        throw core::Error("--name",
-                          fmt::format("'{}' cannot be the name of a method", options.name),
-                          "small letters, digits and underscores");
-    }
+    methods::check_name(options.name, "--name");
     return options;
 }
 
@@ -159,10 +152,7 @@ void add_unseen(const TuneArgs& args,
 void run_tune(const TuneArgs& args, const std::string& command) {
     tune::TuneOptions options = tune_options(args);
     options.command = command;
-    if (args.more_views < 0 || args.more_views > 1000) {
-        throw core::Error(
-            "--more-views", fmt::format("{} is not possible", args.more_views), "0..1000");
-    }
+    check_count("--more-views", args.more_views, 0, 1000);
     const harness::ViewRequest request = view_request(args.views);
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
     for (harness::SceneViews& scene_views : scenes)

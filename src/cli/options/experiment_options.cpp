@@ -1,5 +1,8 @@
 #include "cli/options/experiment_options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "cli/name_list.h"
 #include "experiment/option_table.h"
 
@@ -19,10 +22,7 @@ std::string usual_text(const experiment::Experiment& usual, std::size_t row) {
 
 std::string type_of(const core::Param& param) {
     if (param.kind != core::ParamKind::choice) return param.unit;
-    std::string type;
-    for (const std::string& choice : param.choices)
-        type += (type.empty() ? "" : "|") + choice;
-    return type;
+    return fmt::format("{}", fmt::join(param.choices, "|"));
 }
 
 }  // namespace

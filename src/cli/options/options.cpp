@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 
 #include "cli/name_list.h"
 #include "core/error.h"
@@ -19,7 +19,6 @@
 namespace ink::cli {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kFov_deg = 40;  // of a camera that is set by hand
 constexpr double kMostMargin = 0.45;
 
@@ -73,7 +72,7 @@ void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
             camera.target_world = parse_point(options.targets[i], "--target");
         }
         if (options.up) camera.up_world = parse_direction(*options.up, "--up");
-        camera.fov_y_rad = options.fov_deg.value_or(kFov_deg) * kRadPerDeg;
+        camera.fov_y_rad = glm::radians(options.fov_deg.value_or(kFov_deg));
         request.cameras.push_back(camera);
     }
 }
@@ -122,6 +121,12 @@ CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const st
     return option->check([](const std::string& folder) {
         return std::string(folder.empty() ? "an empty name is no folder" : "");
     });
+}
+
+void check_count(const char* option, int count, int least, int most) {
+    if (count >= least && count <= most) return;
+    throw core::Error(
+        option, fmt::format("{} is not possible", count), fmt::format("{}..{}", least, most));
 }
 
 void add_quiet_option(CLI::App& command) {

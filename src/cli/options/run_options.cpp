@@ -162,14 +162,14 @@ experiment::Experiment MeasureArgs::read() const {
     return experiment;
 }
 
-std::string run_command_text(const CLI::App& command) {
-    return recorded_command(
-        command, {"--out", "--shard", "--force", "--json", "--dry-run", "--status", "--lanes"});
-}
-
-void run_to_end(experiment::Experiment experiment,
+void run_to_end(const CLI::App& command,
+                experiment::Experiment experiment,
                 const RunFolderOptions& options,
                 const CacheOptions& cache) {
+    if (experiment.command.empty()) {
+        experiment.command = recorded_command(
+            command, {"--out", "--shard", "--force", "--json", "--dry-run", "--status", "--lanes"});
+    }
     if (options.no_times) experiment.times = false;
     experiment::RunOptions run;
     run.shard = experiment::parse_shard(options.shard);

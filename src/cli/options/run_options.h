@@ -44,14 +44,15 @@ struct MeasureArgs {
     [[nodiscard]] experiment::Experiment read() const;
 };
 
-/// What the user typed after `command`'s name, less what says where results go and how they are
-/// shown: the same for a run, its shards and its continuation.
-[[nodiscard]] std::string run_command_text(const CLI::App& command);
-
 /// Computes an experiment into its folder and shows what came of it, as conclude() does; lists the
 /// blocks alone if --dry-run asks for that, or how far it has come for --status. Ends the program
 /// by CLI::RuntimeError where its exit code is not 0.
-void run_to_end(experiment::Experiment experiment,
+///
+/// An experiment that does not say which command asked for it was asked for by `command`: by what
+/// the user typed, less what says where results go and how they are shown. That is the same for a
+/// run, its shards and its continuation.
+void run_to_end(const CLI::App& command,
+                experiment::Experiment experiment,
                 const RunFolderOptions& options,
                 const CacheOptions& cache);
 
