@@ -1,5 +1,9 @@
 #pragma once
 
+#include <benchmark/benchmark.h>
+
+#include <string>
+
 /// One function per room: it registers the room's benchmarks under the names that scripts look for.
 ///
 /// Explicit, like the registry of methods; main.cpp calls them in the order in which tables show
@@ -16,5 +20,20 @@ void add_edge_benchmarks();
 void add_embree_benchmarks();
 void add_truth_benchmarks();
 void add_score_benchmarks();
+
+/// Adds `name/threads:1` and `name/threads:2`, which call time(state, key, threads); `draws` as
+/// above.
+template <class Key>
+void add_with_threads(const std::string& name,
+                      int draws,
+                      void (*time)(benchmark::State&, const Key&, int),
+                      const Key& key) {
+    for (const int threads : {1, 2}) {
+        const std::string full = name + "/threads:" + std::to_string(threads);
+        auto* added = benchmark::RegisterBenchmark(full.c_str(), time, key, threads);
+        added->Unit(benchmark::kMillisecond);
+        if (draws > 0) added->Iterations(draws);
+    }
+}
 
 }  // namespace ink::bench

@@ -116,8 +116,9 @@ void time_frames(benchmark::State& state, std::size_t most_frames, const std::st
 }  // namespace
 
 void add_edge_benchmarks() {
-    const auto add = [](const std::string& name, const auto& body) {
-        benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMicrosecond);
+    const auto add = [](const std::string& name, auto time, auto what, const std::string& mesh) {
+        benchmark::RegisterBenchmark((name + "/" + mesh).c_str(), time, what, mesh)
+            ->Unit(benchmark::kMicrosecond);
     };
     std::vector<std::string> meshes{"rocket", "rocket_mixed", "ball"};
     for (const std::string& mesh : mesh_names()) {
@@ -131,16 +132,12 @@ void add_edge_benchmarks() {
         const bool is_large = mesh == "sphere" || mesh == "bunny";
         for (const auto& [builder, name] : builders) {
             if (is_large && builder == EdgeBuilder::all_pairs) continue;  // 2e10 comparisons
-            add("edges/" + name + "/" + mesh, [builder = builder, mesh](benchmark::State& state) {
-                time_builder(state, builder, mesh);
-            });
+            add("edges/" + name, time_builder, builder, mesh);
         }
         if (mesh == "rocket" || is_large) {
             // Room for one frame: each pose is a first one.
-            add("edge_hash/first/" + mesh,
-                [mesh](benchmark::State& state) { time_frames(state, 1, mesh); });
-            add("edge_hash/cached/" + mesh,
-                [mesh](benchmark::State& state) { time_frames(state, 2, mesh); });
+            add("edge_hash/first", time_frames, std::size_t{1}, mesh);
+            add("edge_hash/cached", time_frames, std::size_t{2}, mesh);
         }
     }
 }

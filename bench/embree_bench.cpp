@@ -40,9 +40,8 @@ void time_primary(benchmark::State& state, const std::string& mesh) {
 void add_embree_benchmarks() {
     for (const std::string& mesh : mesh_names()) {
         const std::string name = "embree/primary/" + mesh + "/1080p/threads:1";
-        benchmark::RegisterBenchmark(name.c_str(), [mesh](benchmark::State& state) {
-            time_primary(state, mesh);
-        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(name.c_str(), time_primary, mesh)
+            ->Unit(benchmark::kMillisecond);
     }
 }
 

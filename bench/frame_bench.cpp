@@ -58,20 +58,14 @@ void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
 }  // namespace
 
 void add_frame_benchmarks(int draws) {
-    const auto add = [draws](const FrameKey& key) {
-        const std::string name = "frame/" + key.info.name + "/" + key.mesh + "/" + key.size.name;
-        for (const int threads : {1, 2}) {
-            auto* added = benchmark::RegisterBenchmark(
-                (name + "/threads:" + std::to_string(threads)).c_str(),
-                [key, threads](benchmark::State& state) { time_frame(state, key, threads); });
-            added->Unit(benchmark::kMillisecond);
-            if (draws > 0) added->Iterations(draws);
-        }
-    };
     for (const std::string& mesh : mesh_names()) {
         for (const ImageSize& size : image_sizes()) {
-            for (const method::MethodInfo& info : methods::registry())
-                add({info, mesh, size});
+            for (const method::MethodInfo& info : methods::registry()) {
+                add_with_threads("frame/" + info.name + "/" + mesh + "/" + size.name,
+                                 draws,
+                                 time_frame,
+                                 {info, mesh, size});
+            }
         }
     }
 }

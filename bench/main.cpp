@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "bench/cores.h"
 #include "bench/results.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "core/parse_number.h"
 #include "core/provenance.h"
 #include "core/simd.h"
@@ -86,12 +88,11 @@ void add_provenance() {
 }
 
 core::SimdTarget find_target(const std::string& name) {
-    std::string known;
-    for (const core::SimdTarget& target : core::simd_targets()) {
-        if (target.name == name) return target;
-        known += (known.empty() ? "" : ", ") + target.name;
-    }
-    throw core::Error("--simd", "'" + name + "' does not run here", known);
+    const auto& targets = core::simd_targets();
+    if (const core::SimdTarget* found = core::find_named(targets, name)) return *found;
+    throw core::Error("--simd",
+                      "'" + name + "' does not run here",
+                      fmt::format("{}", fmt::join(core::names_of(targets), ", ")));
 }
 
 /// Google Benchmark keeps pointers into the words for as long as it runs.

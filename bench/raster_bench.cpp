@@ -7,6 +7,7 @@
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
+#include "buffers/each_tile.h"
 #include "core/hash.h"
 #include "raster/mesh/mesh_pass.h"
 
@@ -58,15 +59,6 @@ const raster::LaneMesh& lane_mesh(const std::string& name) {
     static std::map<std::string, raster::LaneMesh> kept;
     return kept.try_emplace(name, bench_surface(name)).first->second;
 }
-
-/// Takes tiles and does nothing with them: what is timed is the rasterizer.
-class NoSink : public raster::TileSink {
-  public:
-    void finish(const raster::Tile& tile) override {
-        const void* depth = tile.depth;
-        benchmark::DoNotOptimize(depth);
-    }
-};
 
 /// Hashes depth and planes of every tile; the order of tiles does not matter.
 class HashSink : public raster::TileSink {
@@ -131,7 +123,11 @@ void time_pass(benchmark::State& state, const PassKey& key, int threads) {
     };
     HashSink hashes(key.format);
     draw(0, hashes);
-    NoSink sink;
+    // Does nothing with tiles: what is timed is the rasterizer.
+    buffers::EachTile sink([](const raster::Tile& tile) {
+        const void* depth = tile.depth;
+        benchmark::DoNotOptimize(depth);
+    });
     std::size_t frame = 1;
     for (auto _ : state) {
         draw(frame % 2, sink);
@@ -164,19 +160,14 @@ void add_raster_benchmarks(int draws) {
         {"u16", format_of(1, Store::u16)},
         {"f32x4", format_of(4, Store::f32)},
     };
-    const auto add = [draws](const std::string& name, const PassKey& key) {
-        for (const int threads : {1, 2}) {
-            auto* added = benchmark::RegisterBenchmark(
-                (name + "/threads:" + std::to_string(threads)).c_str(),
-                [key, threads](benchmark::State& state) { time_pass(state, key, threads); });
-            added->Unit(benchmark::kMillisecond);
-            if (draws > 0) added->Iterations(draws);
-        }
-    };
     for (const std::string& mesh : mesh_names()) {
         for (const auto& [name, format] : formats) {
-            for (const ImageSize& size : image_sizes())
-                add("raster/" + name + "/" + mesh + "/" + size.name, {format, mesh, size});
+            for (const ImageSize& size : image_sizes()) {
+                add_with_threads("raster/" + name + "/" + mesh + "/" + size.name,
+                                 draws,
+                                 time_pass,
+                                 {format, mesh, size});
+            }
         }
     }
 }

@@ -223,9 +223,9 @@ void time_dense(benchmark::State& state, const std::string& mesh, bool is_adapti
     state.counters["mixed_px"] = static_cast<double>(counts.mixed_px);
 }
 
-template <class Time>
-void add(const std::string& name, Time time) {
-    benchmark::RegisterBenchmark(name.c_str(), time)->Unit(benchmark::kMillisecond);
+template <class Time, class... Args>
+void add(const std::string& name, Time time, const Args&... args) {
+    benchmark::RegisterBenchmark(name.c_str(), time, args...)->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
@@ -233,20 +233,18 @@ void add(const std::string& name, Time time) {
 void add_truth_benchmarks() {
     for (const std::string& mesh : mesh_names()) {
         const std::string name = "truth/" + mesh + "/1080p";
-        add(name, [mesh](benchmark::State& state) { time_truth(state, mesh); });
-        add(name + "/model", [mesh](benchmark::State& state) { time_model(state, mesh); });
-        add(name + "/eye", [mesh](benchmark::State& state) { time_eye(state, mesh); });
-        add(name + "/bvh", [mesh](benchmark::State& state) { time_bvh(state, mesh); });
-        add(name + "/lines", [mesh](benchmark::State& state) { time_lines(state, mesh); });
-        add(name + "/layers", [mesh](benchmark::State& state) { time_layers(state, mesh); });
+        add(name, time_truth, mesh);
+        add(name + "/model", time_model, mesh);
+        add(name + "/eye", time_eye, mesh);
+        add(name + "/bvh", time_bvh, mesh);
+        add(name + "/lines", time_lines, mesh);
+        add(name + "/layers", time_layers, mesh);
     }
     for (const std::string& mesh : mesh_names()) {
         if (mesh == "bunny_x16") continue;
         const std::string name = mesh + "/1080p";
-        add("truth_dense/" + name,
-            [mesh](benchmark::State& state) { time_dense(state, mesh, false); });
-        add("truth_adaptive/" + name,
-            [mesh](benchmark::State& state) { time_dense(state, mesh, true); });
+        add("truth_dense/" + name, time_dense, mesh, false);
+        add("truth_adaptive/" + name, time_dense, mesh, true);
     }
 }
 
