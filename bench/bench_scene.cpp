@@ -24,14 +24,6 @@ std::map<std::string, std::filesystem::path>& model_files() {
     return files;
 }
 
-scene::Scene scene_with(scene::Mesh mesh) {
-    scene::Scene scene;
-    scene.name = mesh.name;
-    scene.meshes.push_back(std::move(mesh));
-    scene.instances.push_back({});
-    return scene;
-}
-
 /// Rings of quads, each cut in two, poles included: 2 * segments * (rings - 1) triangles.
 scene::Scene make_sphere(int rings, int segments) {
     scene::Mesh mesh;
@@ -60,7 +52,11 @@ scene::Scene make_sphere(int rings, int segments) {
         }
         mesh.triangles.push_back({at(rings - 1, segment), last, at(rings - 1, segment + 1)});
     }
-    return scene_with(std::move(mesh));
+    scene::Scene scene;
+    scene.name = mesh.name;
+    scene.meshes.push_back(std::move(mesh));
+    scene.instances.push_back({});
+    return scene;
 }
 
 /// Each triangle as four, through the middles of its edges, which neighbours share.
@@ -122,19 +118,17 @@ void add_model(const std::filesystem::path& path) {
 
 const scene::Scene& bench_scene(const std::string& name) {
     static std::map<std::string, scene::Scene> scenes;
-    const auto found = scenes.find(name);
-    if (found != scenes.end()) return found->second;
-    return scenes.emplace(name, make_scene(name)).first->second;
+    scene::Scene& kept = scenes[name];
+    if (kept.meshes.empty()) kept = make_scene(name);
+    return kept;
 }
 
 const scene::Surface& bench_surface(const std::string& name) {
     static std::map<std::string, scene::Surface> surfaces;
-    const auto found = surfaces.find(name);
-    if (found != surfaces.end()) return found->second;
-    return surfaces
-        .emplace(name,
-                 scene::flatten(bench_scene(name), scene::NormalSource::patch, 40 * kRadPerDeg))
-        .first->second;
+    scene::Surface& kept = surfaces[name];
+    if (kept.triangles.empty())
+        kept = scene::flatten(bench_scene(name), scene::NormalSource::patch, 40 * kRadPerDeg);
+    return kept;
 }
 
 std::array<scene::View, 2> bench_views(const scene::Scene& scene, const ImageSize& size) {

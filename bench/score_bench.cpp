@@ -108,14 +108,22 @@ void describe(benchmark::State& state, const score::Score& result) {
     state.counters["n_truth"] = static_cast<double>(result.n_truth);
 }
 
+/// A drawing with its truth made ready, for the stages one by one.
+struct Stage {
+    score::ScoreOptions options = options_of_compare();
+    Drawing drawing = make_drawing(options);
+    score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
+    score::TruthLists lists = score::list_truth(truth, options);
+    score::Strokes strokes = score::make_strokes(drawing.edge_response, options.threshold, options);
+    score::PixelList drawn = score::counted_pixels(strokes.thinned, lists);
+};
+
 /// A method's image against a truth that is ready, as `compare` scores every cell.
 void time_score(benchmark::State& state) {
-    const score::ScoreOptions options = options_of_compare();
-    const Drawing drawing = make_drawing(options);
-    const score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
+    const Stage stage;
     score::Score result;
     for (auto _ : state)
-        result = score::score(drawing.edge_response, truth, options);
+        result = score::score(stage.drawing.edge_response, stage.truth, stage.options);
     describe(state, result);
 }
 
@@ -151,16 +159,6 @@ void time_curve(benchmark::State& state) {
         ap = score::average_precision(score::score_curve(drawing.edge_response, truth, options));
     state.SetLabel(core::Hasher().value(ap).hex());
 }
-
-/// A drawing with its truth made ready, for the stages one by one.
-struct Stage {
-    score::ScoreOptions options = options_of_compare();
-    Drawing drawing = make_drawing(options);
-    score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
-    score::TruthLists lists = score::list_truth(truth, options);
-    score::Strokes strokes = score::make_strokes(drawing.edge_response, options.threshold, options);
-    score::PixelList drawn = score::counted_pixels(strokes.thinned, lists);
-};
 
 /// Of every pixel's place.
 std::string hash_of(const score::PixelList& list) {
