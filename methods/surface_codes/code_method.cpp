@@ -17,13 +17,9 @@ namespace {
 constexpr double kNominalHeight_px = 720;
 
 CodeOptions code_options(const CodeParams& params, const CodeSetup& setup) {
-    CodeOptions options;
+    CodeOptions options = setup;
     options.patches = {.crease_rad = glm::radians(params.crease_deg),
                        .weld_epsilon = params.weld_epsilon};
-    options.turn_rad = setup.turn_rad;
-    options.rounds = setup.rounds;
-    options.range = setup.range;
-    options.bytes = setup.bytes;
     return options;
 }
 

@@ -34,14 +34,10 @@ core::ParamTable<P>& add_code_params(core::ParamTable<P>& table) {
 }
 
 /// How codes are made and looked at.
-struct CodeSetup {
-    double turn_rad = 0;  ///< see CodeOptions
-    int rounds = 0;
-    CodeRange range;
+struct CodeSetup : CodeOptions {
     Footprint footprint = Footprint::none;
     double length_px = 0;  ///< that a step covers at least, by the footprint
     int gain_bits = 0;     ///< of the response, see edge::side_differences
-    int bytes = 1;         ///< of codes a pixel, see CodeOptions
 };
 
 /// A scene drawn as surface codes, u8 or u16 in plane 0, 0 where nothing is.

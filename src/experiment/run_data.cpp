@@ -1,7 +1,11 @@
 #include "experiment/run_data.h"
 
+#include <zlib.h>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +14,6 @@
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/dictionary.h"
-#include "experiment/gzip_file.h"
 #include "experiment/run_tables.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
@@ -23,6 +26,29 @@ namespace {
 
 namespace fs = std::filesystem;
 using Texts = std::map<std::string, std::string>;
+
+/// What a gzip file holds (experiments/publish packs long tables so); nothing if there is none.
+///
+/// Throws core::Error (where = the path) for a file that is cut short or no gzip file.
+std::optional<std::string> read_gzip_file(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
+    std::string text;
+    std::array<char, 1 << 16> part{};
+    int count = file ? gzread(file.get(), part.data(), part.size()) : -1;
+    // zlib hands on what is no gzip file as it is.
+    const bool is_packed = file && gzdirect(file.get()) == 0;
+    while (is_packed && count > 0) {
+        text.append(part.data(), static_cast<std::size_t>(count));
+        count = gzread(file.get(), part.data(), part.size());
+    }
+    int problem = Z_OK;
+    if (file) gzerror(file.get(), &problem);
+    if (count < 0 || !is_packed || problem != Z_OK) {
+        throw core::Error(path.string(), "it is no whole gzip file", "a table as it was packed");
+    }
+    return text;
+}
 
 /// A table as it is, or packed; nothing if there is neither.
 std::optional<std::string> read_table(const fs::path& path) {

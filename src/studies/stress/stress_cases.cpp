@@ -50,11 +50,17 @@ Case make_case(const StressPoint& point, scene::Scene scene, const scene::Camera
     return stress;
 }
 
-Case make_case(const StressPoint& point, scene::Scene scene, const StressLook& look) {
-    scene::Camera camera =
-        scene::look_at(look.eye_world, look.target_world, {0, 1, 0}, glm::radians(look.fov_deg));
-    scene::fit_clip_range(camera, scene::bounding_sphere(scene));
-    return make_case(point, std::move(scene), camera);
+std::vector<Case> make_cases(const StressPoint& point,
+                             std::vector<scene::Scene> scenes,
+                             const StressLook& look) {
+    std::vector<Case> cases;
+    for (scene::Scene& scene : scenes) {
+        scene::Camera camera = scene::look_at(
+            look.eye_world, look.target_world, {0, 1, 0}, glm::radians(look.fov_deg));
+        scene::fit_clip_range(camera, scene::bounding_sphere(scene));
+        cases.push_back(make_case(point, std::move(scene), camera));
+    }
+    return cases;
 }
 
 StressMaker catalogue_cases(std::vector<std::string> scenes) {

@@ -25,13 +25,15 @@ struct StressPoint {
                              scene::Scene scene,
                              const scene::Camera& camera);
 
-/// A scene of its own: near and far fitted, seen from `eye_world`.
+/// A case of each scene: near and far fitted, seen from `eye_world`.
 struct StressLook {
     glm::dvec3 eye_world{0};
     glm::dvec3 target_world{0};
     double fov_deg = 30;
 };
-[[nodiscard]] Case make_case(const StressPoint& point, scene::Scene scene, const StressLook& look);
+[[nodiscard]] std::vector<Case> make_cases(const StressPoint& point,
+                                           std::vector<scene::Scene> scenes,
+                                           const StressLook& look);
 
 /// The cases of one value.
 using StressMaker = std::function<std::vector<Case>(const StressPoint&)>;

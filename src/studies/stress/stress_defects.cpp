@@ -42,10 +42,10 @@ std::vector<Case> spoiled(const StressPoint& point, Spoil spoil) {
     for (glm::vec3& p : drum.positions)
         p.y -= 0.875F;
     solids.emplace_back("drum", std::move(drum));
-    std::vector<Case> cases;
+    std::vector<scene::Scene> scenes;
     for (auto& [name, mesh] : solids)
-        cases.push_back(make_case(point, scene_of(name, spoil(mesh, chosen), turn), look));
-    return cases;
+        scenes.push_back(scene_of(name, spoil(mesh, chosen), turn));
+    return make_cases(point, std::move(scenes), look);
 }
 
 /// The triangle with three vertices of its own.

@@ -123,10 +123,7 @@ std::vector<Case> grazing_cases(const StressPoint& point) {
     put(balls, catalogue::make_sphere(0.5, 48, 24), {-1.5, 0.25, 0}, 0);
     put(balls, catalogue::make_cylinder(0.5, 0.75, 32), {0.125, -0.125, -2}, 0);
     put(balls, catalogue::make_cone(0.625, 1, 24), {1.75, -0.125, 1}, 0);
-    std::vector<Case> cases;
-    for (scene::Scene* scene : {&boxes, &steps, &balls})
-        cases.push_back(make_case(point, std::move(*scene), look));
-    return cases;
+    return make_cases(point, {std::move(boxes), std::move(steps), std::move(balls)}, look);
 }
 
 void zoom(const StressPoint& point, Case& stress) {

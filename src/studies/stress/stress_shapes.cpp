@@ -118,26 +118,17 @@ std::vector<Case> gap_cases(const StressPoint& point) {
     ExactScene plate("plate");
     plate.place(plate.mesh(catalogue::make_box({-1.25, 0, -1}, {1.25, 1, 1})),
                 glm::scale(glm::dmat4(1), glm::dvec3(1, gap, 1)));
-    std::vector<Case> cases;
-    for (ExactScene* scene : {&leaf, &slits, &step, &plate})
-        cases.push_back(make_case(point, scene->take(), kThreeQuarter));
-    return cases;
+    return make_cases(point, {leaf.take(), slits.take(), step.take(), plate.take()}, kThreeQuarter);
 }
 
 std::vector<Case> sliver_cases(const StressPoint& point) {
     const double width = 1 / point.value;
-    std::vector<Case> cases;
-    cases.push_back(make_case(point,
-                              scene_of("cut_cube", cut_cube({-1, 0, width, 1.25}), turned(14, 33)),
-                              kThreeQuarter));
-    cases.push_back(
-        make_case(point,
-                  scene_of("split_ring",
-                           with_slivers(catalogue::make_torus({1.125, 0.5}, {48, 24}), point.value),
-                           turned(30, 0)),
-                  kThreeQuarter));
-    cases.push_back(make_case(point, needles(point.value), kThreeQuarter));
-    return cases;
+    const scene::Mesh ring = catalogue::make_torus({1.125, 0.5}, {48, 24});
+    return make_cases(point,
+                      {scene_of("cut_cube", cut_cube({-1, 0, width, 1.25}), turned(14, 33)),
+                       scene_of("split_ring", with_slivers(ring, point.value), turned(30, 0)),
+                       needles(point.value)},
+                      kThreeQuarter);
 }
 
 std::vector<Case> facet_cases(const StressPoint& point) {
@@ -147,16 +138,12 @@ std::vector<Case> facet_cases(const StressPoint& point) {
     const int round_tube = std::max(3, rounded(std::sqrt(facets / 4)));
     const int round_ring = std::max(3, rounded(facets / 2 / round_tube));
     const int quads = std::max(2, rounded(std::sqrt(facets / 2)));
-    std::vector<Case> cases;
-    cases.push_back(make_case(
-        point, scene_of("ball", catalogue::make_sphere(1.25, 2 * stacks, stacks)), kThreeQuarter));
-    cases.push_back(make_case(
-        point,
-        scene_of(
-            "ring", catalogue::make_torus({1.125, 0.5}, {round_ring, round_tube}), turned(30, 0)),
-        kThreeQuarter));
-    cases.push_back(make_case(point, scene_of("waves", hills(quads)), kThreeQuarter));
-    return cases;
+    const scene::Mesh ring = catalogue::make_torus({1.125, 0.5}, {round_ring, round_tube});
+    return make_cases(point,
+                      {scene_of("ball", catalogue::make_sphere(1.25, 2 * stacks, stacks)),
+                       scene_of("ring", ring, turned(30, 0)),
+                       scene_of("waves", hills(quads))},
+                      kThreeQuarter);
 }
 
 }  // namespace
