@@ -80,26 +80,9 @@ std::unique_ptr<CLI::App> make_program() {
         "Example: inkbench compare --scenes torus,staircase --methods mote4,decaudin\n"
         "Exit codes: 0 done, 1 a check failed or nothing has a score, 2 bad input, " +
         std::string(kUnscoredCode) + ", 130 interrupted.");
-    add_compare_command(*app);
-    add_draw_command(*app);
-    add_truth_command(*app);
-    add_score_command(*app);
-    add_explain_command(*app);
-    add_figures_command(*app);
-    add_timedemo_command(*app);
-    add_tune_command(*app);
-    add_stress_command(*app);
-    add_run_command(*app);
-    add_report_command(*app);
-    add_diff_command(*app);
-    add_merge_command(*app);
-    add_bound_command(*app);
-    add_export_command(*app);
-    add_entrant_test_command(*app);
-    add_new_method_command(*app);
-    add_list_command(*app);
-    add_completions_command(*app);
-    add_help_command(*app);
+#define INK_ADD(name) add_##name##_command(*app);
+    INK_COMMANDS(INK_ADD)
+#undef INK_ADD
     return app;
 }
 

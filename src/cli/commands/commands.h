@@ -10,26 +10,34 @@
 /// check failed.
 namespace ink::cli {
 
-void add_bound_command(CLI::App& app);
-void add_compare_command(CLI::App& app);
-void add_diff_command(CLI::App& app);
-void add_draw_command(CLI::App& app);
-void add_truth_command(CLI::App& app);
-void add_score_command(CLI::App& app);
-void add_entrant_test_command(CLI::App& app);
-void add_export_command(CLI::App& app);
-void add_explain_command(CLI::App& app);
-void add_figures_command(CLI::App& app);
-void add_completions_command(CLI::App& app);
-void add_help_command(CLI::App& app);
-void add_list_command(CLI::App& app);
-void add_merge_command(CLI::App& app);
-void add_new_method_command(CLI::App& app);
-void add_run_command(CLI::App& app);
-void add_report_command(CLI::App& app);
-void add_timedemo_command(CLI::App& app);
-void add_tune_command(CLI::App& app);
-void add_stress_command(CLI::App& app);
+// In the order in which help shows them.
+// clang-format off
+#define INK_COMMANDS(X) \
+    X(compare) \
+    X(draw) \
+    X(truth) \
+    X(score) \
+    X(explain) \
+    X(figures) \
+    X(timedemo) \
+    X(tune) \
+    X(stress) \
+    X(run) \
+    X(report) \
+    X(diff) \
+    X(merge) \
+    X(bound) \
+    X(export) \
+    X(entrant_test) \
+    X(new_method) \
+    X(list) \
+    X(completions) \
+    X(help)
+// clang-format on
+
+#define INK_DECLARE(name) void add_##name##_command(CLI::App& app);
+INK_COMMANDS(INK_DECLARE)
+#undef INK_DECLARE
 
 /// The names of all subcommands.
 [[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
