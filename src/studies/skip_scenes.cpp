@@ -18,7 +18,7 @@ using raster::Skip;
 
 /// The stage's scene under the name of its camera.
 Case case_of(Stage& stage) {
-    scene::Scene made = stage.finish();
+    scene::Scene made = stage.finish({});
     assert(made.cameras.size() == 1);
     made.name = made.cameras.front().name;
     return {"skips_off", 0, {std::move(made), {}}};
