@@ -1,9 +1,8 @@
 #include "import/animation_choice.h"
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
 
+#include "core/parse_number.h"
 #include "import/refusal.h"
 
 namespace ink::import {
@@ -23,10 +22,8 @@ std::size_t choose_animation(const std::vector<std::string>& names, const std::s
     if (asked.empty()) return 0;
     const auto named = std::find(names.begin(), names.end(), asked);
     if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
-    std::size_t number = 0;
-    const char* last = asked.data() + asked.size();
-    const auto [end, error] = std::from_chars(asked.data(), last, number);
-    if (error == std::errc{} && end == last && number < names.size()) return number;
+    const auto number = core::parse_number<std::size_t>(asked);
+    if (number && *number < names.size()) return *number;
     throw Refusal("", "it has no animation \"" + asked + '"', listed(names));
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 
 namespace ink::import {
 namespace {
@@ -94,11 +95,7 @@ std::string_view LineWords::word() {
 }
 
 std::string_view LineWords::skip_line() {
-    if (is_line_over()) {
-        while (!is_end_of_line(at_))
-            ++at_;
-        return {};
-    }
+    skip_blanks();
     const char* first = at_;
     const char* last = at_;  // behind the last word
     while (!word().empty())
@@ -142,14 +139,10 @@ glm::dvec3 LineWords::vector(std::string_view what) {
 
 std::uint64_t LineWords::count(std::string_view what) {
     const std::string_view digits = word();
-    std::uint64_t value = 0;
-    const char* last = digits.data() + digits.size();
-    const auto [end, error] = std::from_chars(digits.data(), last, value);
+    const auto value = core::parse_number<std::uint64_t>(digits);
     if (digits.empty()) fail(std::string(what) + " is missing", "a whole number of 0 or more");
-    if (error != std::errc{} || end != last) {
-        fail(std::string(what) + " is " + in_quotes(digits), "a whole number of 0 or more");
-    }
-    return value;
+    if (!value) fail(std::string(what) + " is " + in_quotes(digits), "a whole number of 0 or more");
+    return *value;
 }
 
 void LineWords::fail(const std::string& what, const std::string& accepted) const {

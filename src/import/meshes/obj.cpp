@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/parse_number.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/meshes/obj_parts.h"
@@ -118,12 +119,11 @@ class ObjReader {
 
 /// The number from 0 that "7" or "-1" means, of `count` that are there so far.
 std::uint32_t ObjReader::read_index(std::string_view word, std::size_t count, Ahead& ahead) {
-    std::int64_t number = 0;
-    const char* last = word.data() + word.size();
-    const auto [end, error] = std::from_chars(word.data(), last, number);
-    if (error != std::errc{} || end != last)
+    const auto number = core::parse_number<std::int64_t>(word);
+    if (!number)
         words_.fail("a corner has the number " + in_quotes(word), "v, v/vt, v//vn or v/vt/vn");
-    const std::int64_t from_1 = number < 0 ? static_cast<std::int64_t>(count) + 1 + number : number;
+    const std::int64_t from_1 =
+        *number < 0 ? static_cast<std::int64_t>(count) + 1 + *number : *number;
     if (from_1 < 1 || from_1 > 0xfffffffe) {
         words_.fail(
             "a corner has the number " + std::string(word),

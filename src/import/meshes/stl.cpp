@@ -1,13 +1,13 @@
 // STL (stereolithography), text and binary.
 
 #include <array>
-#include <charconv>
 #include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
 
@@ -97,11 +97,8 @@ void expect(LineWords& words, std::string_view keyword) {
 /// A normal's number. Some writers put words such as 1.#QNAN there, which say that there is none.
 float normal_number(LineWords& words) {
     const std::string_view word = words.word();
-    float value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_number = error == std::errc{} && end == word.data() + word.size();
     if (word.empty()) words.fail("a normal has less than three numbers", "three numbers");
-    return is_number ? value : std::numeric_limits<float>::quiet_NaN();
+    return core::parse_number<float>(word).value_or(std::numeric_limits<float>::quiet_NaN());
 }
 
 void read_facet(LineWords& words, Facets& facets) {
