@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "import/model_bytes.h"
 #include "scene/animation.h"
 
 /// What the readers of a .3ds file's cameras and lights have in common. Damaged chunks end a
@@ -28,14 +28,6 @@ inline constexpr std::uint16_t kKeyframer3ds = 0xb000;
 
 /// Takes the zero-ended name in front of an object's chunks.
 [[nodiscard]] std::string take_name(std::span<const std::byte>& bytes);
-
-/// The number at `offset`, which is there.
-template <class T>
-[[nodiscard]] T number_at(std::span<const std::byte> bytes, std::size_t offset) {
-    T value{};
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-}
 
 /// The chunks of the file's sections that are called `section`, in the file's order.
 [[nodiscard]] std::vector<Chunk3ds> chunks_of(std::span<const std::byte> file,

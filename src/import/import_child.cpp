@@ -92,7 +92,7 @@ bool is_ifc(Words head) {
 void check_dxf(const std::filesystem::path& path) {
     constexpr std::array<Words, 6> kShapes{"3DSOLID", "BODY", "REGION", "SURFACE", "MESH", "SOLID"};
     const std::vector<std::byte> bytes = bytes_of(path);
-    LineWords words(Words(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    LineWords words(text_of(bytes));
     while (words.next_line()) {
         // A group is a code and a value, a line each; 0 begins an entity.
         const bool is_entity = words.word() == "0";
@@ -131,12 +131,7 @@ bool is_ply(std::string_view file) {
 /// Files in the folder of `model`, whatever folders a name in the model speaks of.
 FilesBeside beside(const std::filesystem::path& model) {
     return [folder = model.parent_path()](const std::string& name) {
-        const auto file = folder / std::filesystem::path(name).filename();
-        std::error_code error;
-        // A pipe would keep us waiting.
-        if (!std::filesystem::is_regular_file(file, error)) return std::string();
-        const std::vector<std::byte> bytes = bytes_of(file);
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        return std::string(text_of(bytes_of(folder / std::filesystem::path(name).filename())));
     };
 }
 
@@ -161,7 +156,7 @@ std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path) {
     const Reader reader = reader_of(head, lower_case(path.extension().string()));
     if (reader == nullptr) return std::nullopt;
     const std::vector<std::byte> bytes = bytes_of(path);
-    const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view file = text_of(bytes);
     const std::string name = path.stem().string();
     if (reader == read_stl && is_binary_stl(file)) return reader(file, name);
     if (is_utf16(file)) throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
@@ -193,10 +188,9 @@ void check_length(const std::filesystem::path& path) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     for (const LengthField& field : kLengthFields) {
-        std::uint32_t promised = 0;
-        if (!head.starts_with(field.magic) || head.size() < field.offset + sizeof promised)
-            continue;
-        std::memcpy(&promised, head.data() + field.offset, sizeof promised);
+        if (!head.starts_with(field.magic) || head.size() < field.offset + 4) continue;
+        const auto promised =
+            number_at<std::uint32_t>(std::as_bytes(std::span(head)), field.offset);
         if (error || promised <= size) return;
         throw core::Error("",
                           "the file is cut short: its header promises " + std::to_string(promised) +

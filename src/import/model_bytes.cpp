@@ -3,26 +3,36 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <system_error>
 
 namespace ink::import {
 
-std::vector<std::byte> bytes_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const std::streamoff size = file.tellg();
-    std::vector<std::byte> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
-    file.seekg(0);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path,
+                                                std::uint64_t most) {
+    std::error_code error;
+    // A pipe would keep us waiting.
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    const std::uint64_t size =
+        std::min<std::uint64_t>(std::filesystem::file_size(path, error), most);
+    if (error) return std::nullopt;
+    std::vector<std::byte> bytes(size);
+    std::ifstream file(path, std::ios::binary);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (!file) return std::nullopt;
     return bytes;
+}
+
+std::vector<std::byte> bytes_of(const std::filesystem::path& path) {
+    return read_file(path).value_or(std::vector<std::byte>{});
+}
+
+std::string_view text_of(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::string head_of(const std::filesystem::path& path) {
     constexpr std::size_t kHeadBytes = 4096;
-    std::string head(kHeadBytes, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-    return head;
+    return std::string(text_of(read_file(path, kHeadBytes).value_or(std::vector<std::byte>{})));
 }
 
 std::string_view without_mark(std::string_view text) {

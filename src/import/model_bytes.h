@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -14,8 +17,22 @@
 
 namespace ink::import {
 
+/// The bytes of a regular file, `most` at most; nothing if it cannot be read.
+[[nodiscard]] std::optional<std::vector<std::byte>> read_file(
+    const std::filesystem::path& path,
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// All bytes of a file; none of one that cannot be read.
 [[nodiscard]] std::vector<std::byte> bytes_of(const std::filesystem::path& path);
+/// Bytes as text. Borrows them.
+[[nodiscard]] std::string_view text_of(std::span<const std::byte> bytes);
+/// The number at `offset`, which is there.
+template <class T>
+[[nodiscard]] T number_at(std::span<const std::byte> bytes, std::size_t offset) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    T value{};
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+}
 /// Its first 4096 bytes, or as many as it has.
 [[nodiscard]] std::string head_of(const std::filesystem::path& path);
 
@@ -60,11 +77,8 @@ class ModelBytes {
 
     template <class T>
     [[nodiscard]] T at(std::uint64_t offset) const {
-        static_assert(std::is_trivially_copyable_v<T>);
         need(offset, 1, sizeof(T), "number");
-        T value{};
-        std::memcpy(&value, bytes_.data() + offset, sizeof value);
-        return value;
+        return number_at<T>(bytes_, offset);
     }
 
     /// A whole number that counts `what`, least .. 2^31 - 1.

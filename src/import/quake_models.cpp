@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 
@@ -43,11 +42,8 @@ constexpr Kind kMd2{{'I', 'D', 'P', '2'}, 8};
 constexpr Kind kMd3{{'I', 'D', 'P', '3'}, 15};
 
 Kind kind_of(const std::filesystem::path& path) {
-    Kind kind;
-    std::ifstream file(path, std::ios::binary);
-    file.read(kind.magic.data(), kind.magic.size());
-    file.read(reinterpret_cast<char*>(&kind.version), sizeof kind.version);
-    return file ? kind : Kind{};
+    const auto head = read_file(path, sizeof(Kind));
+    return head && head->size() == sizeof(Kind) ? number_at<Kind>(*head, 0) : Kind{};
 }
 
 /// The files that make up the player of which `path` is a part, or `path` alone.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
@@ -47,9 +46,9 @@ glm::dvec3 turned(const glm::dvec3& up, const glm::dvec3& axis, double angle_rad
 /// The camera in a camera chunk's body: eye, target, roll in degrees, lens in millimetres.
 std::optional<ImportedCamera> parse_camera(std::span<const std::byte> body,
                                            const std::string& name) {
-    std::array<float, 8> f{};
-    if (body.size() < sizeof f) return std::nullopt;
-    std::memcpy(f.data(), body.data(), sizeof f);
+    using Eight = std::array<float, 8>;
+    if (body.size() < sizeof(Eight)) return std::nullopt;
+    const auto f = number_at<Eight>(body, 0);
     ImportedCamera camera{
         .name = name, .eye_world = {f[0], f[1], f[2]}, .target_world = {f[3], f[4], f[5]}};
     constexpr double kDegree = std::numbers::pi / 180;

@@ -159,7 +159,7 @@ CameraFacts camera_facts(const std::filesystem::path& path, const std::string& r
     const bool is_fbx = reader.starts_with("Autodesk FBX");
     if (!is_dae && !is_fbx) return facts;
     const std::vector<std::byte> bytes = bytes_of(path);
-    const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view file = text_of(bytes);
     if (is_dae) facts.dae = read_dae_cameras(file);
     if (is_fbx) facts.parallel_of_fbx = read_fbx_parallel_cameras(file);
     return facts;

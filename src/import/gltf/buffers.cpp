@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "import/gltf/json.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 

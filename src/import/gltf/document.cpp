@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/error.h"
+#include "import/model_bytes.h"
 #include "import/refusal.h"
 
 namespace ink::import {
@@ -21,11 +19,7 @@ constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr const char* kAccepted = "glTF 2.0";
 
-std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, bytes.data() + offset, sizeof word);
-    return word;
-}
+constexpr auto word_at = number_at<std::uint32_t>;
 
 bool is_binary(std::span<const std::byte> bytes) {
     return bytes.size() >= kHeaderBytes && word_at(bytes, 0) == kMagic;
@@ -33,8 +27,7 @@ bool is_binary(std::span<const std::byte> bytes) {
 
 /// Whether it is JSON that speaks of an asset: what all glTF files do, and no other model file.
 bool is_text(std::span<const std::byte> bytes) {
-    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const std::string_view text = without_mark(text_of(bytes));
     const auto first = std::find_if(
         text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) == 0; });
     return first != text.end() && *first == '{' && text.find("\"asset\"") != std::string_view::npos;
@@ -89,24 +82,8 @@ void check_version(const JsonObject& asset, const nlohmann::json& json) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path,
-                                                std::uint64_t most) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-    const std::uint64_t size =
-        std::min<std::uint64_t>(std::filesystem::file_size(path, error), most);
-    if (error) return std::nullopt;
-    std::vector<std::byte> bytes(size);
-    std::ifstream file(path, std::ios::binary);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!file) return std::nullopt;
-    return bytes;
-}
-
 std::optional<GltfDocument> open_gltf(const std::filesystem::path& path) {
-    auto bytes = read_file(path, std::numeric_limits<std::uint64_t>::max());
-    if (!bytes) return std::nullopt;
-    return parse_gltf(std::move(*bytes), path.parent_path());
+    return parse_gltf(bytes_of(path), path.parent_path());
 }
 
 std::optional<GltfDocument> parse_gltf(std::vector<std::byte> bytes,

@@ -33,8 +33,4 @@ struct GltfDocument {
 [[nodiscard]] std::optional<GltfDocument> parse_gltf(std::vector<std::byte> bytes,
                                                      const std::filesystem::path& folder);
 
-/// The bytes of a regular file, `most` at most; nothing if it cannot be read.
-[[nodiscard]] std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path,
-                                                              std::uint64_t most);
-
 }  // namespace ink::import

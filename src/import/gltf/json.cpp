@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "import/model_bytes.h"
 #include "import/refusal.h"
 
 namespace ink::import {
@@ -214,7 +215,7 @@ bool JsonObject::flag_or(const char* key, bool fallback) const {
 }
 
 Json parse_json(std::span<const std::byte> text) {
-    const std::string_view json(reinterpret_cast<const char*>(text.data()), text.size());
+    const std::string_view json = text_of(text);
     if (depth_of(json) > kMostDepth) {
         throw core::Error("JSON",
                           "its JSON is nested too deep",

@@ -10,6 +10,7 @@
 #include "core/parse_number.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 namespace {
@@ -46,9 +47,7 @@ ImportReply reply_of_facets(Facets facets, bool are_floats, const std::string& n
 }
 
 std::uint64_t facet_count(std::string_view file) {
-    std::uint32_t count = 0;
-    std::memcpy(&count, file.data() + kHeaderBytes - sizeof count, sizeof count);
-    return count;
+    return number_at<std::uint32_t>(std::as_bytes(std::span(file)), kHeaderBytes - 4);
 }
 
 /// Bytes behind the last facet are left alone: writers add their own there.
