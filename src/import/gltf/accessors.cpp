@@ -171,9 +171,8 @@ void GltfAccessors::read_sparse(const JsonObject& sparse,
     const JsonObject where = sparse.at("indices");
     Layout places{
         .count = sparse.whole("count", layout.count), .width = 1, .component = component_of(where)};
-    if ((places.component.bit & (kUnsignedByte | kUnsignedShort | kUnsignedInt)) == 0) {
-        where.fail("componentType is " + std::to_string(places.component.code),
-                   codes_of(kUnsignedByte | kUnsignedShort | kUnsignedInt));
+    if ((places.component.bit & kIndex) == 0) {
+        where.fail("componentType is " + std::to_string(places.component.code), codes_of(kIndex));
     }
     const auto indices = read_view<std::uint32_t>(where, places);
     Layout parts = layout;
@@ -218,7 +217,7 @@ std::vector<double> GltfAccessors::numbers(std::size_t accessor, const AccessorR
 }
 
 std::vector<std::uint32_t> GltfAccessors::indices(std::size_t accessor) {
-    check(accessor, {"indices", "SCALAR", kUnsignedByte | kUnsignedShort | kUnsignedInt});
+    check(accessor, {"indices", "SCALAR", kIndex});
     return read<std::uint32_t>(accessor);
 }
 

@@ -16,6 +16,10 @@ enum GltfComponents : unsigned {
     kUnsignedInt = 16,
     kFloat = 32,
 };
+/// Those beside floats of KHR_mesh_quantization.
+inline constexpr unsigned kSmall = kByte | kUnsignedByte | kShort | kUnsignedShort;
+/// Those of indices.
+inline constexpr unsigned kIndex = kUnsignedByte | kUnsignedShort | kUnsignedInt;
 
 /// What an accessor may be where it is used.
 struct AccessorRule {

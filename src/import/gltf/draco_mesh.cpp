@@ -11,18 +11,7 @@ namespace {
 
 /// Draco has bools, doubles and 64 bits as well, which no accessor of glTF can stand for.
 bool is_gltf_type(draco::DataType type) {
-    switch (type) {
-        case draco::DT_INT8:
-        case draco::DT_UINT8:
-        case draco::DT_INT16:
-        case draco::DT_UINT16:
-        case draco::DT_INT32:
-        case draco::DT_UINT32:
-        case draco::DT_FLOAT32:
-            return true;
-        default:
-            return false;
-    }
+    return (type >= draco::DT_INT8 && type <= draco::DT_UINT32) || type == draco::DT_FLOAT32;
 }
 
 template <class Number>

@@ -8,8 +8,6 @@
 namespace ink::import {
 namespace {
 
-// Component types beside floats: of KHR_mesh_quantization.
-constexpr unsigned kSmall = kByte | kUnsignedByte | kShort | kUnsignedShort;
 constexpr AccessorRule kPosition{"POSITION", "VEC3", kFloat | kSmall};
 constexpr AccessorRule kNormal{"NORMAL", "VEC3", kFloat | kByte | kShort, true};
 constexpr AccessorRule kJoints{"JOINTS", "VEC4", kUnsignedByte | kUnsignedShort};

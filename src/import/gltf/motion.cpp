@@ -8,7 +8,6 @@
 namespace ink::import {
 namespace {
 
-constexpr unsigned kSmall = kByte | kUnsignedByte | kShort | kUnsignedShort;
 constexpr AccessorRule kTimes{"key times", "SCALAR", kFloat};
 constexpr AccessorRule kVectors{"keys", "VEC3", kFloat};
 constexpr AccessorRule kRotations{"rotation keys", "VEC4", kFloat | kSmall, true};
@@ -29,14 +28,7 @@ scene::Interpolation interpolation_of(const JsonObject& sampler) {
     sampler.refuse("the interpolation " + name + " is not read", "LINEAR, STEP or CUBICSPLINE");
 }
 
-/// A sampler's numbers: those of a key come together.
-struct Sampler {
-    std::vector<double> times_s;
-    std::vector<double> values;
-    scene::Interpolation interpolation = scene::Interpolation::linear;
-
-    [[nodiscard]] bool is_cubic() const { return interpolation == scene::Interpolation::cubic; }
-};
+using Sampler = GltfSampler;
 
 Sampler read_sampler(const JsonObject& json, const AccessorRule& rule, GltfAccessors& accessors) {
     const std::size_t input = json.index("input", accessors.size());
@@ -161,12 +153,11 @@ std::optional<Target> target_of(const GltfDocument& document,
 
 void GltfWeightKeys::share_out(std::vector<scene::Morph::Target>& targets) const {
     const std::size_t count = targets.size();
-    const Sampler all{times_s, values, interpolation};
-    check_width(all, count, channel);
+    check_width(keys, count, channel);
     for (std::size_t t = 0; t < count; ++t) {
-        Sampler one{times_s, {}, interpolation};
-        for (std::size_t i = t; i < values.size(); i += count)
-            one.values.push_back(values[i]);
+        Sampler one{keys.times_s, {}, keys.interpolation};
+        for (std::size_t i = t; i < keys.values.size(); i += count)
+            one.values.push_back(keys.values[i]);
         take_keys(
             one, 1, [](const double* v) { return *v; }, targets[t].weights, targets[t].course);
     }
@@ -200,11 +191,7 @@ GltfMotion read_motion(const GltfDocument& document,
         if (rule == &kWeights) {
             if (!node.has("mesh"))
                 channel.fail("node " + std::to_string(target->node) + " has no mesh");
-            motion.weights.emplace(target->node,
-                                   GltfWeightKeys{channel,
-                                                  std::move(sampler.times_s),
-                                                  std::move(sampler.values),
-                                                  sampler.interpolation});
+            motion.weights.emplace(target->node, GltfWeightKeys{channel, std::move(sampler)});
             continue;
         }
         if (node.has("matrix")) node.fail("it has a matrix and moves", "a place in three parts");

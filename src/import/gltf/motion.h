@@ -7,12 +7,19 @@
 
 namespace ink::import {
 
-/// How the shares of a node's morph targets move: for each key one value per target.
-struct GltfWeightKeys {
-    JsonObject channel;  ///< for messages
+/// A sampler's numbers: those of a key come together.
+struct GltfSampler {
     std::vector<double> times_s;
     std::vector<double> values;  ///< of cubic ones: in-tangents, values, out-tangents, key by key
     scene::Interpolation interpolation = scene::Interpolation::linear;
+
+    [[nodiscard]] bool is_cubic() const { return interpolation == scene::Interpolation::cubic; }
+};
+
+/// How the shares of a node's morph targets move: for each key one value per target.
+struct GltfWeightKeys {
+    JsonObject channel;  ///< for messages
+    GltfSampler keys;
 
     /// Gives the targets their keys; fails unless there is a value for each.
     void share_out(std::vector<scene::Morph::Target>& targets) const;
