@@ -105,12 +105,8 @@ struct Launch {
     int null_fd;
     int output_fd;
     pid_t parent;
-    rlim_t memory_bytes;
-    rlim_t file_bytes;
     rlim_t cpu_s;
-    bool counts_reserved;
-    bool keeps_errors;
-    bool leads_group;
+    const ChildLimits& limits;
 };
 
 void limit(__rlimit_resource what, rlim_t most) {
@@ -127,16 +123,17 @@ void limit(__rlimit_resource what, rlim_t most) {
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (launch.leads_group) setpgid(0, 0);
+    const ChildLimits& limits = launch.limits;
+    if (limits.leads_group) setpgid(0, 0);
     if (getppid() != launch.parent) _exit(kExecFailed);  // it died before we asked to be told
 
     dup2(launch.null_fd, STDIN_FILENO);
     dup2(launch.output_fd, STDOUT_FILENO);
-    dup2(launch.keeps_errors ? launch.output_fd : launch.null_fd, STDERR_FILENO);
+    dup2(limits.keeps_errors ? launch.output_fd : launch.null_fd, STDERR_FILENO);
     limit(RLIMIT_CORE, 0);
-    if (kLimitFiles) limit(RLIMIT_FSIZE, launch.file_bytes);
+    if (kLimitFiles) limit(RLIMIT_FSIZE, limits.file_bytes);
     limit(RLIMIT_CPU, launch.cpu_s);
-    if (kLimitMemory) limit(launch.counts_reserved ? RLIMIT_AS : RLIMIT_DATA, launch.memory_bytes);
+    if (kLimitMemory) limit(limits.counts_reserved ? RLIMIT_AS : RLIMIT_DATA, limits.memory_bytes);
     execv(launch.program, launch.arguments);
     _exit(kExecFailed);
 }
@@ -209,13 +206,9 @@ ChildOutcome run_child(const std::filesystem::path& program,
                         .null_fd = null.number(),
                         .output_fd = to_parent.number(),
                         .parent = getpid(),
-                        .memory_bytes = limits.memory_bytes,
-                        .file_bytes = limits.file_bytes,
                         // A backstop only, for the day on which the parent is stopped itself.
                         .cpu_s = static_cast<rlim_t>(std::ceil(wall_s * limits.threads)) + 1,
-                        .counts_reserved = limits.counts_reserved,
-                        .keeps_errors = limits.keeps_errors,
-                        .leads_group = limits.leads_group};
+                        .limits = limits};
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double>(wall_s));
     const pid_t pid = fork();

@@ -107,8 +107,7 @@ void note(std::size_t count, const char* one, const char* many, scene::Scene& sc
 
 void note_kinds(const std::vector<ImportedLight>& lights, scene::Scene& scene) {
     const auto count = [&](LightKind kind) {
-        return static_cast<std::size_t>(std::count_if(
-            lights.begin(), lights.end(), [&](const auto& light) { return light.kind == kind; }));
+        return static_cast<std::size_t>(std::ranges::count(lights, kind, &ImportedLight::kind));
     };
     note(count(LightKind::spot),
          "spotlight shines to all sides",

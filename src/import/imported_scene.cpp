@@ -180,18 +180,14 @@ std::string camera_name(const std::string& wanted, std::set<std::string>& taken)
     return name;
 }
 
-/// Cameras that look somewhere, and how they move, one for one.
-struct UsableCameras {
-    std::vector<scene::Camera> cameras;
+/// Gives the scene the cameras that look somewhere; returns how they move, one for one.
+std::vector<scene::CameraMotion> take_cameras(const std::vector<ImportedCamera>& imported,
+                                              scene::Scene& scene) {
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
     std::vector<scene::CameraMotion> motions;
-};
-
-UsableCameras usable_cameras(const std::vector<ImportedCamera>& imported,
-                             const scene::Sphere& bounds) {
-    UsableCameras usable;
     std::set<std::string> taken;
     for (const ImportedCamera& from : imported) {
-        if (usable.cameras.size() == kMostCameras) break;
+        if (scene.cameras.size() == kMostCameras) break;
         constexpr double kLeastFov_rad = 1e-3;
         constexpr double kMostFov_rad = std::numbers::pi - 1e-3;
         if (!(from.fov_y_rad >= kLeastFov_rad && from.fov_y_rad <= kMostFov_rad)) continue;
@@ -200,13 +196,13 @@ UsableCameras usable_cameras(const std::vector<ImportedCamera>& imported,
                 scene::look_at(from.eye_world, from.target_world, from.up_world, from.fov_y_rad);
             camera.name = camera_name(from.name, taken);
             scene::fit_clip_range(camera, bounds);
-            usable.cameras.push_back(std::move(camera));
-            usable.motions.push_back(from.motion);
+            scene.cameras.push_back(std::move(camera));
+            motions.push_back(from.motion);
         } catch (const core::Error&) {
             continue;  // it looks nowhere, which does not make the model worse
         }
     }
-    return usable;
+    return motions;
 }
 
 /// Lets the cameras go with their nodes where those move at all.
@@ -230,14 +226,14 @@ void take_camera_motions(const std::vector<scene::CameraMotion>& motions,
 
 /// What the reply says of the file, fit to be printed.
 scene::FileFacts facts_of(const ImportReply& reply) {
-    scene::FileFacts facts;
-    for (const std::string& name : reply.animation_names)
-        facts.animation_names.push_back(printable(name, kMostNameChars));
-    for (const std::string& name : reply.parallel_cameras)
-        facts.parallel_cameras.push_back(printable(name, kMostNameChars));
-    for (const std::string& note : reply.notes)
-        facts.notes.push_back(printable(note, kMostNoteChars));
-    return facts;
+    const auto all = [](std::vector<std::string> texts, std::size_t most) {
+        for (std::string& text : texts)
+            text = printable(text, most);
+        return texts;
+    };
+    return {.animation_names = all(reply.animation_names, kMostNameChars),
+            .parallel_cameras = all(reply.parallel_cameras, kMostNameChars),
+            .notes = all(reply.notes, kMostNoteChars)};
 }
 
 }  // namespace
@@ -274,10 +270,9 @@ scene::Scene scene_from_reply(ImportReply&& reply,
     }
     scene.file = facts_of(reply);
     const auto animation = take_animation(std::move(reply.animation), scene, where);
-    UsableCameras usable = usable_cameras(reply.cameras, scene::bounding_sphere(scene));
-    scene.cameras = std::move(usable.cameras);
+    const auto camera_motions = take_cameras(reply.cameras, scene);
     take_lights(reply.lights, animation, scene);
-    take_camera_motions(usable.motions, animation, scene, where);  // checks the lights', too
+    take_camera_motions(camera_motions, animation, scene, where);  // checks the lights', too
     if (material_seams) scene::split_materials(scene);
     return scene;
 }

@@ -15,13 +15,12 @@ namespace ink::import {
 namespace {
 
 /// Reads all rows of an element: `take(property, value)` gets every number outside lists,
-/// `list(property, length)` and then `take` those of lists.
-template <class Begin, class List, class Take>
-void read_rows(PlyBody& body, const PlyElement& element, Begin begin, List list, Take take) {
+/// `list(property, length)` and then `take` those of lists; `end()` follows each row.
+template <class List, class Take, class End>
+void read_rows(PlyBody& body, const PlyElement& element, List list, Take take, End end) {
     if (element.properties.empty()) return;  // a row takes nothing
     for (std::uint64_t row = 0; row < element.count; ++row) {
         body.begin_row(element, row);
-        begin();
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
             const PlyProperty& property = element.properties[p];
             std::uint64_t length = 1;
@@ -33,6 +32,7 @@ void read_rows(PlyBody& body, const PlyElement& element, Begin begin, List list,
                 take(p, body.value(property.type));
         }
         body.end_row();
+        end();
     }
 }
 
@@ -72,20 +72,15 @@ void read_vertices(PlyBody& body, const PlyElement& element, ImportedMesh& mesh)
     mesh.are_floats = is_float;
     mesh.positions.reserve(body.most_rows(element));
     if (normals) mesh.normals.reserve(body.most_rows(element));
-    const auto store = [&] {
-        mesh.positions.emplace_back(row[0], row[1], row[2]);
-        if (normals) mesh.normals.emplace_back(row[3], row[4], row[5]);
-    };
-    bool is_first = true;
     read_rows(
         body,
         element,
-        [&] {
-            if (!std::exchange(is_first, false)) store();
-        },
         [](std::size_t, std::uint64_t) {},
-        [&](std::size_t p, double value) { row[place_of[p]] = value; });
-    if (!is_first) store();
+        [&](std::size_t p, double value) { row[place_of[p]] = value; },
+        [&] {
+            mesh.positions.emplace_back(row[0], row[1], row[2]);
+            if (normals) mesh.normals.emplace_back(row[3], row[4], row[5]);
+        });
 }
 
 /// The list of vertices of an element of faces.
@@ -110,19 +105,17 @@ std::uint32_t to_index(double value, const PlyBody& body, std::uint64_t vertices
 void read_faces(PlyBody& body, const PlyElement& element, PlyMesh& to) {
     const std::size_t indices = index_list(element);
     to.faces.ends.reserve(to.faces.ends.size() + body.most_rows(element));
-    std::size_t length = 0;
     read_rows(
         body,
         element,
-        [] {},
         [&](std::size_t p, std::uint64_t entries) {
             if (p != indices) return;
-            length += entries;
             to.faces.ends.push_back(to.faces.corners.size() + entries);
         },
         [&](std::size_t p, double value) {
             if (p == indices) to.faces.corners.push_back(to_index(value, body, to.vertices));
-        });
+        },
+        [] {});
 }
 
 /// Triangles as OpenGL draws strips: every second one is turned, and -1 begins anew.
@@ -154,18 +147,18 @@ void read_strips(PlyBody& body, const PlyElement& element, PlyMesh& to) {
     read_rows(
         body,
         element,
-        [&] { strips.restart(); },
         [](std::size_t, std::uint64_t) {},
         [&](std::size_t p, double value) {
             if (p != indices) return;
             if (value == -1) return strips.restart();
             strips.add(to_index(value, body, to.vertices));
-        });
+        },
+        [&] { strips.restart(); });
 }
 
 void skip_rows(PlyBody& body, const PlyElement& element) {
     read_rows(
-        body, element, [] {}, [](std::size_t, std::uint64_t) {}, [](std::size_t, double) {});
+        body, element, [](std::size_t, std::uint64_t) {}, [](std::size_t, double) {}, [] {});
 }
 
 const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
