@@ -5,23 +5,12 @@
 #include <map>
 #include <numbers>
 
-#include "edge/laplacian.h"
+#include "linear_code/linear_bound_domain.h"
 #include "score/attribution.h"
 #include "truth/curve_map.h"
 
 namespace ink::linear_code {
 namespace {
-
-constexpr int kLargestLaplacian = 4 * 65535;
-
-/// The least |L| of which either sign reaches the threshold; 0 if none does.
-int least_firing(const edge::LaplacianResponse& response, int threshold) {
-    for (int l = 1; l <= kLargestLaplacian; ++l) {
-        if (edge::respond(l, response) >= threshold) return l;
-        if (edge::respond(-l, response) >= threshold) return l;
-    }
-    return 0;
-}
 
 /// Right angles of turned boxes come out a little under 90 as often as over it.
 constexpr double kRounding_deg = 0.01;
@@ -45,10 +34,10 @@ double silent_deviation_rad(const method::LinearCode& code, int threshold) {
     double square = 0;
     for (const double weight : code.normal_weight)
         square += weight * weight;
-    const int least = least_firing(code.response, threshold);
+    const auto least = threshold_in_codes(code.response, threshold);
     const double seen_twice = 2 * std::sqrt(square);
-    if (least == 0 || least >= seen_twice) return std::numbers::pi;
-    return 2 * std::asin(least / seen_twice);
+    if (!least || *least >= seen_twice) return std::numbers::pi;
+    return 2 * std::asin(*least / seen_twice);
 }
 
 std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,

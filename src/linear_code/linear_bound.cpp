@@ -49,14 +49,6 @@ constexpr std::int64_t kBatch = 32;
 /// Undecided pixels that all open boxes may keep: a gigabyte of indices.
 constexpr std::size_t kMostKept = 250'000'000;
 
-/// The least that the sizes of a box's weights come to.
-double least_sum(const WeightBox& box) {
-    double sum = 0;
-    for (std::size_t k = 0; k < box.low.size(); ++k)
-        sum += std::max({0.0, box.low[k], -box.high[k]});
-    return sum;
-}
-
 struct IsLower {
     bool operator()(const WeightBox& a, const WeightBox& b) const { return a.f_upper < b.f_upper; }
 };
@@ -117,7 +109,7 @@ class Search {
 
     void take(LookedAtBox seen) {
         ++bound_.boxes;
-        if (least_sum(seen.box) > stencils_.domain().most_sum) return;
+        if (sum_of_sizes(seen.box.least()) > stencils_.domain().most_sum) return;
         if (seen.count.f() > bound_.f_found && stencils_.domain().contains(seen.tried))
             offer(seen.tried);
         if (seen.box.f_upper <= bound_.f_found + options_.gap) {

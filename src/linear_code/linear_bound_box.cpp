@@ -17,24 +17,9 @@ double margin(const WeightDomain& domain) {
     return domain.rounding + kParallelStencils + 50 * kHalfUnit * domain.most_sum;
 }
 
-/// The weights of a box that are nearest to 0.
-LinearWeights least_of(const WeightBox& box) {
-    LinearWeights least;
-    for (std::size_t k = 0; k < least.size(); ++k)
-        least[k] = std::clamp(0.0, box.low[k], box.high[k]);
-    return least;
-}
-
-double sum_of_sizes(const LinearWeights& weights) {
-    double sum = 0;
-    for (const double weight : weights)
-        sum += std::abs(weight);
-    return sum;
-}
-
 /// Cuts off what no weights of the domain reach.
 void cut_to_domain(WeightBox& box, double most_sum) {
-    const LinearWeights least = least_of(box);
+    const LinearWeights least = box.least();
     const double spare = std::max(0.0, most_sum - sum_of_sizes(least));
     for (std::size_t k = 0; k < least.size(); ++k) {
         const double most = std::abs(least[k]) + spare;
@@ -45,7 +30,7 @@ void cut_to_domain(WeightBox& box, double most_sum) {
 
 /// The middle of a box, or what lies between it and the box's least weights inside the domain.
 LinearWeights weights_to_try(const WeightBox& box, double most_sum) {
-    const LinearWeights least = least_of(box);
+    const LinearWeights least = box.least();
     LinearWeights middle;
     for (std::size_t k = 0; k < middle.size(); ++k)
         middle[k] = (box.low[k] + box.high[k]) / 2;
@@ -71,6 +56,13 @@ std::array<float, 4> as_floats(const LinearWeights& weights) {
 }
 
 }  // namespace
+
+LinearWeights WeightBox::least() const {
+    LinearWeights least;
+    for (std::size_t k = 0; k < least.size(); ++k)
+        least[k] = std::clamp(0.0, low[k], high[k]);
+    return least;
+}
 
 BoxCounter::Probe::Probe(const WeightBox& box, const LinearWeights& weights)
     : tried(as_floats(weights)) {

@@ -27,6 +27,9 @@ struct WeightBox {
     std::shared_ptr<const Undecided> undecided;
     double f_upper = 1;
     int widest = 0;  ///< the weight to halve next: the one that moves the undecided most
+
+    /// The weights in it that are nearest to 0.
+    [[nodiscard]] LinearWeights least() const;
 };
 
 /// A box just looked at, and what some weights inside it come to.

@@ -8,17 +8,21 @@
 namespace ink::linear_code {
 
 bool WeightDomain::contains(const LinearWeights& weights) const {
+    const bool has_sign = *std::min_element(weights.begin(), weights.end()) < 0;
+    return (is_signed || !has_sign) && sum_of_sizes(weights) <= most_sum;
+}
+
+double sum_of_sizes(const LinearWeights& weights) {
     double sum = 0;
-    for (const double weight : weights) {
-        if (weight < 0 && !is_signed) return false;
+    for (const double weight : weights)
         sum += std::abs(weight);
-    }
-    return sum <= most_sum;
+    return sum;
 }
 
 std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response, int edge_response) {
     for (int laplacian = 0; laplacian <= 4 * 65535; ++laplacian) {
         if (edge::respond(laplacian, response) >= edge_response) return laplacian;
+        if (edge::respond(-laplacian, response) >= edge_response) return laplacian;
     }
     return std::nullopt;
 }

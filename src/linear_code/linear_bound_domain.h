@@ -13,6 +13,9 @@ namespace ink::linear_code {
 /// has T times these.
 using LinearWeights = std::array<double, 4>;
 
+/// What they come to, sign aside.
+[[nodiscard]] double sum_of_sizes(const LinearWeights& weights);
+
 /// Which weights are asked about: the filter fires where w . v >= 1.
 struct WeightDomain {
     bool is_signed = false;  ///< else no weight is below 0
@@ -29,8 +32,8 @@ struct WeightDomain {
     [[nodiscard]] bool contains(const LinearWeights& weights) const;
 };
 
-/// The least |L| whose edge response is `edge_response` (1..255) or more, in codes; nothing if none
-/// is.
+/// The least |L| whose edge response, by either sign, is `edge_response` (1..255) or more, in
+/// codes; nothing if none is.
 [[nodiscard]] std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response,
                                                     int edge_response);
 
