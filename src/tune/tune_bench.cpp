@@ -71,16 +71,10 @@ std::string key_of(const harness::MethodConfig& config, DrawnBy by) {
 
 }  // namespace
 
-void TunePlanes::add_view(std::size_t scene_index,
-                          const scene::View& view,
-                          core::Image<std::uint32_t> triangle) {
-    views_.push_back({scene_index, view, std::move(triangle)});
-}
-
 std::size_t TunePlanes::set_bytes() const {
     std::size_t pixels = 0;
-    for (const Seen& seen : views_)
-        pixels += seen.triangle.size();
+    for (const BenchView& view : views_)
+        pixels += view.triangle.size();
     return pixels * kBytesPerPixel;
 }
 
@@ -129,7 +123,7 @@ std::vector<edge::EdgeImage> TunePlanes::images(const harness::MethodConfig& con
 TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
                      const harness::TraceOptions& trace,
                      int threads)
-    : scenes_(scenes), threads_(threads), planes_(scenes) {
+    : scenes_(scenes), threads_(threads), planes_(scenes, views_) {
     int total = 0;
     for (const harness::SceneViews& scene_index : scenes)
         total += static_cast<int>(scene_index.views.size());
@@ -146,8 +140,11 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
             hasher.text(name).text(core::image_hash(truth.scoring.labels));
             hasher.text(core::image_hash(truth.scoring.ignore));
             score::TruthLists lists = score::list_truth(truth.scoring, options);
-            views_.push_back({s, view, std::move(truth.scoring), std::move(lists)});
-            planes_.add_view(s, view, std::move(truth.traced.layers.triangle));
+            views_.push_back({s,
+                              view,
+                              std::move(truth.traced.layers.triangle),
+                              std::move(truth.scoring),
+                              std::move(lists)});
             if (core::is_interrupted()) return;
         }
     }

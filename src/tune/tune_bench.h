@@ -16,6 +16,15 @@
 
 namespace ink::tune {
 
+/// A view of a bench, and what is scored against there.
+struct BenchView {
+    std::size_t scene_index = 0;
+    scene::View view;
+    core::Image<std::uint32_t> triangle;  ///< that its pixels see (truth::Layers::triangle)
+    score::ScoringTruth truth;
+    score::TruthLists lists;
+};
+
 /// Draws settings whose code is one linear sum without their method: from channel planes
 /// (linear_code/channel_planes.h) that are made once per view and serve every set of weights.
 ///
@@ -24,13 +33,9 @@ namespace ink::tune {
 /// rounding decides, so it serves to choose among settings; what is reported is the method's.
 class TunePlanes {
   public:
-    /// Borrows the scenes.
-    explicit TunePlanes(const std::vector<harness::SceneViews>& scenes) : scenes_(scenes) {}
-
-    /// The next view of `scene_views`; `triangle` is what its pixels see (truth::Layers::triangle).
-    void add_view(std::size_t scene_index,
-                  const scene::View& view,
-                  core::Image<std::uint32_t> triangle);
+    /// Borrows the scenes and their views.
+    TunePlanes(const std::vector<harness::SceneViews>& scenes, const std::vector<BenchView>& views)
+        : scenes_(scenes), views_(views) {}
 
     /// Whether these settings can be drawn so: they declare a code that is the same in every scene,
     /// and a set of planes takes no more than a gigabyte. Hangs on no earlier call.
@@ -40,16 +45,11 @@ class TunePlanes {
     [[nodiscard]] bool can_search(const harness::MethodConfig& config,
                                   const TuneSpace& space) const;
 
-    /// The views' images, in the order in which they were added. can_draw() is the caller's duty.
+    /// The views' images, in their order. can_draw() is the caller's duty.
     [[nodiscard]] std::vector<edge::EdgeImage> images(const harness::MethodConfig& config,
                                                       int threads);
 
   private:
-    struct Seen {
-        std::size_t scene_index = 0;
-        scene::View view;
-        core::Image<std::uint32_t> triangle;
-    };
     struct PlaneSet {
         std::string key;  ///< what the code reads
         std::vector<linear_code::ChannelPlanes> views;
@@ -58,7 +58,7 @@ class TunePlanes {
     const PlaneSet& planes_of(const method::LinearCode& code, int threads);
 
     const std::vector<harness::SceneViews>& scenes_;
-    std::vector<Seen> views_;
+    const std::vector<BenchView>& views_;
     std::vector<PlaneSet> kept_;  ///< the latest last
 };
 
@@ -88,6 +88,8 @@ class TuneBench {
     TuneBench(const std::vector<harness::SceneViews>& scenes,
               const harness::TraceOptions& trace,
               int threads);
+    TuneBench(const TuneBench&) = delete;
+    TuneBench& operator=(const TuneBench&) = delete;
 
     [[nodiscard]] std::size_t view_count() const { return views_.size(); }
     /// A hash of what is scored against: names, sizes, truth pixels.
@@ -122,12 +124,6 @@ class TuneBench {
     void take_times() { takes_times_ = true; }
 
   private:
-    struct BenchView {
-        std::size_t scene_index = 0;
-        scene::View view;
-        score::ScoringTruth truth;
-        score::TruthLists lists;
-    };
     struct Drawn {
         std::string key;  ///< all settings but the threshold, and who drew
         std::vector<edge::EdgeImage> images;
