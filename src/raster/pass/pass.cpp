@@ -75,18 +75,7 @@ class TileWorker {
 
 int PassFormat::bytes_per_px() const {
     const int depth_bytes = depth == DepthFormat::q32 ? 4 : depth == DepthFormat::z24 ? 3 : 2;
-    switch (store) {
-        case Store::none:
-            return depth_bytes;
-        case Store::u8:
-            return depth_bytes + planes();
-        case Store::u16:
-            return depth_bytes + 2 * planes();
-        case Store::u32:
-        case Store::f32:
-            break;
-    }
-    return depth_bytes + 4 * planes();
+    return depth_bytes + static_cast<int>(bytes_of(store)) * planes();
 }
 
 PassStats draw_pass(const PassFormat& format,

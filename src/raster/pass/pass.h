@@ -24,6 +24,11 @@ enum class Store {
     f32,  ///< float planes
 };
 
+/// Bytes of a store's element; 4 of `none`, which has none.
+[[nodiscard]] constexpr std::size_t bytes_of(Store store) {
+    return store == Store::u8 ? 1 : store == Store::u16 ? 2 : 4;
+}
+
 /// What happens to an integer code outside its store's range.
 enum class Overflow {
     saturate,  ///< clamped to 0 .. 2^b - 1

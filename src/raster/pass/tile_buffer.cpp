@@ -14,19 +14,8 @@ constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileR
 
 /// The bits of one sky element as the store has it.
 std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
-    switch (format.store) {
-        case Store::u8:
-            return input.sky_code[plane] & 0xffU;
-        case Store::u16:
-            return input.sky_code[plane] & 0xffffU;
-        case Store::u32:
-            return input.sky_code[plane];
-        case Store::f32:
-            return std::bit_cast<std::uint32_t>(input.sky_f32[plane]);
-        case Store::none:
-            break;
-    }
-    return 0;
+    if (format.store == Store::f32) return std::bit_cast<std::uint32_t>(input.sky_f32[plane]);
+    return input.sky_code[plane] & (~0U >> (32 - 8 * bytes_of(format.store)));
 }
 
 /// The first `count` bytes of a plane, in whole words.
@@ -54,17 +43,6 @@ TileBuffer::TileBuffer(const PassFormat& format, const PassInput& input, const T
         sky_[plane] = repeated(sky_bits(format, input, plane), drawn_bytes());
         planes_[plane].resize(kElements * element_bytes());
         if (is_narrowed()) wide_[plane].resize(kElements * sizeof(std::uint32_t));
-    }
-}
-
-std::size_t TileBuffer::element_bytes() const {
-    switch (format_.store) {
-        case Store::u8:
-            return 1;
-        case Store::u16:
-            return 2;
-        default:
-            return 4;
     }
 }
 

@@ -87,7 +87,7 @@ class TileBuffer {
         return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride +
                kTileMargin_px - own_.x0;
     }
-    [[nodiscard]] std::size_t element_bytes() const;
+    [[nodiscard]] std::size_t element_bytes() const { return bytes_of(format_.store); }
     /// Whether planes are drawn with more bits than the store has.
     [[nodiscard]] bool is_narrowed() const {
         return format_.interpolants > 0 && element_bytes() < sizeof(std::uint32_t);
