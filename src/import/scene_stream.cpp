@@ -1,7 +1,6 @@
 #include "import/scene_stream.h"
 
 #include <array>
-#include <type_traits>
 
 namespace ink::import {
 namespace {
@@ -65,29 +64,6 @@ static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::dvec3) == 24 &&
                   sizeof(scene::Triangle) == 12 && sizeof(MeshPart) == 16,
               "arrays travel as they lie in memory");
 
-template <class Stream, class Mesh>
-void pass_mesh(Stream& stream, Mesh& mesh) {
-    std::uint8_t are_floats = mesh.are_floats ? 1 : 0;
-    stream.parts(mesh.name, mesh.positions, mesh.normals, mesh.triangles, mesh.parts, are_floats);
-    if constexpr (!std::is_const_v<Mesh>) mesh.are_floats = are_floats != 0;
-}
-
-template <class Stream, class Camera>
-void pass_camera(Stream& stream, Camera& camera) {
-    stream.parts(
-        camera.name, camera.eye_world, camera.target_world, camera.up_world, camera.fov_y_rad);
-    auto& motion = camera.motion;
-    stream.parts(motion.eye_node, motion.target_node, motion.p_eye, motion.p_target, motion.up);
-}
-
-template <class Stream, class Light>
-void pass_light(Stream& stream, Light& light) {
-    std::uint8_t is_physical = light.is_physical ? 1 : 0;
-    stream.parts(light.kind, light.p_world, light.direction_world, light.color);
-    stream.parts(is_physical, light.range, light.inner_range, light.node, light.colors);
-    if constexpr (!std::is_const_v<Light>) light.is_physical = is_physical != 0;
-}
-
 /// All between the status and whether there is an animation.
 template <class Stream, class Reply>
 void pass_scene(Stream& of, Reply& reply) {
@@ -99,16 +75,22 @@ void pass_scene(Stream& of, Reply& reply) {
     constexpr std::size_t kLeastTextBytes = 8;
     const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
     of.parts(reply.reason);
-    of.list(
-        reply.meshes, kLeastMeshBytes, [](auto& stream, auto& mesh) { pass_mesh(stream, mesh); });
+    of.list(reply.meshes, kLeastMeshBytes, [](auto& stream, auto& mesh) {
+        stream.parts(mesh.name, mesh.positions, mesh.normals, mesh.triangles, mesh.parts);
+        stream.parts(mesh.are_floats);
+    });
     of.list(reply.instances, kLeastInstanceBytes, [](auto& stream, auto& instance) {
         stream.parts(instance.mesh, instance.world_from_object, instance.name, instance.file_node);
     });
     of.list(reply.cameras, kLeastCameraBytes, [](auto& stream, auto& camera) {
-        pass_camera(stream, camera);
+        stream.parts(camera.name, camera.eye_world, camera.target_world, camera.up_world);
+        auto& motion = camera.motion;
+        stream.parts(camera.fov_y_rad, motion.eye_node, motion.target_node);
+        stream.parts(motion.p_eye, motion.p_target, motion.up);
     });
     of.list(reply.lights, kLeastLightBytes, [](auto& stream, auto& light) {
-        pass_light(stream, light);
+        stream.parts(light.kind, light.p_world, light.direction_world, light.color);
+        stream.parts(light.is_physical, light.range, light.inner_range, light.node, light.colors);
     });
     of.list(reply.parallel_cameras, kLeastTextBytes, pass_text);
     of.list(reply.animation_names, kLeastTextBytes, pass_text);
