@@ -113,8 +113,11 @@ bool GltfAccessors::is_normalised(std::size_t accessor) const {
     return document_.accessors[accessor].flag_or("normalized", false) && !is_float(accessor);
 }
 
-double GltfAccessors::divisor(std::size_t accessor) const {
-    return is_normalised(accessor) ? component_of(document_.accessors[accessor]).divisor : 1;
+void GltfAccessors::normalise(std::size_t accessor, std::vector<double>& numbers) const {
+    if (!is_normalised(accessor)) return;
+    const double by = component_of(json(accessor)).divisor;
+    for (double& number : numbers)
+        number = std::max(number / by, -1.0);
 }
 
 void GltfAccessors::check(std::size_t accessor, const AccessorRule& rule) const {
@@ -205,14 +208,13 @@ std::vector<Out> GltfAccessors::read(std::size_t accessor) {
 std::vector<double> GltfAccessors::numbers(std::size_t accessor, const AccessorRule& rule) {
     check(accessor, rule);
     std::vector<double> values = read<double>(accessor);
-    const double by = divisor(accessor);
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i])) {
             json(accessor).fail("number " + std::to_string(i) + " is not finite",
                                 "finite numbers for " + std::string(rule.use));
         }
-        if (by != 1) values[i] = std::max(values[i] / by, -1.0);
     }
+    normalise(accessor, values);
     return values;
 }
 

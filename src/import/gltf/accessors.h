@@ -45,8 +45,8 @@ class GltfAccessors {
     [[nodiscard]] bool is_float(std::size_t accessor) const;
     /// Whether its integers stand for numbers of -1..1 or 0..1.
     [[nodiscard]] bool is_normalised(std::size_t accessor) const;
-    /// By what a normalised integer is divided; 1 where they are none.
-    [[nodiscard]] double divisor(std::size_t accessor) const;
+    /// Makes those numbers of its integers, if they do.
+    void normalise(std::size_t accessor, std::vector<double>& numbers) const;
 
     /// Fails unless it is as `rule` has it.
     void check(std::size_t accessor, const AccessorRule& rule) const;

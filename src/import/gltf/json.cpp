@@ -69,10 +69,12 @@ const Json* JsonObject::value(const char* key) const {
     return found == json_->end() ? nullptr : &*found;
 }
 
-const Json* JsonObject::array(const char* key) const {
+const Json& JsonObject::array(const char* key) const {
+    static const Json kNone = Json::array();
     const Json* list = value(key);
-    if (list != nullptr && !list->is_array()) fail_at(key, *list, "a list");
-    return list;
+    if (list == nullptr) return kNone;
+    if (!list->is_array()) fail_at(key, *list, "a list");
+    return *list;
 }
 
 const Json& JsonObject::needed(const char* key) const {
@@ -110,10 +112,7 @@ std::optional<JsonObject> JsonObject::extension(const char* name) const {
 
 std::vector<JsonObject> JsonObject::list(const char* key, const char* singular) const {
     std::vector<JsonObject> objects;
-    const Json* all = array(key);
-    if (all == nullptr) return objects;
-    objects.reserve(all->size());
-    for (const Json& one : *all) {
+    for (const Json& one : array(key)) {
         const std::string name = std::string(singular) + ' ' + std::to_string(objects.size());
         objects.emplace_back(one, place_.empty() ? name : place_ + ", " + name);
     }
@@ -161,9 +160,7 @@ std::optional<std::size_t> JsonObject::find_index(const char* key, std::size_t s
 
 std::vector<std::size_t> JsonObject::indices(const char* key, std::size_t size) const {
     std::vector<std::size_t> all;
-    const Json* list = array(key);
-    if (list == nullptr) return all;
-    for (const Json& one : *list) {
+    for (const Json& one : array(key)) {
         if (size == 0) fail_at(key, one, "none, for the file has no such thing");
         all.push_back(whole_of(one, key, size - 1));
     }
@@ -178,11 +175,11 @@ double JsonObject::number(const char* key) const {
 }
 
 std::optional<std::vector<double>> JsonObject::numbers(const char* key, std::size_t size) const {
-    const Json* list = array(key);
-    if (list == nullptr) return std::nullopt;
-    if (size != 0 && list->size() != size) fail_at(key, *list, std::to_string(size) + " numbers");
+    if (!has(key)) return std::nullopt;
+    const Json& list = array(key);
+    if (size != 0 && list.size() != size) fail_at(key, list, std::to_string(size) + " numbers");
     std::vector<double> all;
-    for (const Json& one : *list) {
+    for (const Json& one : list) {
         all.push_back(one.is_number() ? one.get<double>() : NAN);
         if (!std::isfinite(all.back())) fail_at(key, one, "finite numbers");
     }
@@ -198,9 +195,7 @@ std::string JsonObject::text(const char* key) const {
 
 std::vector<std::string> JsonObject::texts(const char* key) const {
     std::vector<std::string> all;
-    const Json* list = array(key);
-    if (list == nullptr) return all;
-    for (const Json& one : *list) {
+    for (const Json& one : array(key)) {
         if (!one.is_string()) fail_at(key, one, "texts");
         all.push_back(one.get<std::string>());
     }

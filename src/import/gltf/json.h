@@ -55,7 +55,8 @@ class JsonObject {
 
   private:
     [[nodiscard]] const nlohmann::json* value(const char* key) const;
-    [[nodiscard]] const nlohmann::json* array(const char* key) const;
+    /// The list under `key`; an empty one if it is missing.
+    [[nodiscard]] const nlohmann::json& array(const char* key) const;
     [[nodiscard]] const nlohmann::json& needed(const char* key) const;
     [[noreturn]] void fail_at(const char* key,
                               const nlohmann::json& value,

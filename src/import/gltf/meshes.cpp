@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "import/gltf/draco_mesh.h"
 
@@ -94,9 +95,7 @@ class GltfMeshReader::Attributes {
         const std::uint64_t id =
             packed_json_->at("attributes").whole(name, std::numeric_limits<std::uint32_t>::max());
         std::vector<double> numbers = packed_->numbers(static_cast<std::uint32_t>(id), width);
-        const double by = accessors_.divisor(from);
-        for (double& number : numbers)
-            if (by != 1) number = std::max(number / by, -1.0);
+        accessors_.normalise(from, numbers);
         return numbers;
     }
 
@@ -112,14 +111,12 @@ std::vector<std::uint32_t> GltfMeshReader::corners(const JsonObject& primitive,
     if (attributes.packed()) return attributes.packed()->indices();
     const std::size_t vertices = attributes.vertices();
     const auto accessor = primitive.find_index("indices", accessors_.size());
-    std::vector<std::uint32_t> indices;
     if (!accessor) {
-        indices.resize(vertices);
-        for (std::size_t v = 0; v < vertices; ++v)
-            indices[v] = static_cast<std::uint32_t>(v);
-        return indices;
+        std::vector<std::uint32_t> all(vertices);
+        std::iota(all.begin(), all.end(), 0U);
+        return all;
     }
-    indices = accessors_.indices(*accessor);
+    std::vector<std::uint32_t> indices = accessors_.indices(*accessor);
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] < vertices) continue;
         primitive.fail("index " + std::to_string(i) + " is " + std::to_string(indices[i]),
