@@ -18,17 +18,14 @@ namespace {
 
 /// A scene, or several: what weights are judged by, and what the method got.
 struct Pool {
-    std::string name;
-    std::string split;
-    int views = 0;
+    BoundRow row;  ///< without the bound
     int scenes = 0;
-    score::CurveCount measured;
     LinearStencils stencils;
 
     void add(const Pool& other) {
-        views += other.views;
+        row.views += other.row.views;
         scenes += other.scenes;
-        measured += other.measured;
+        row.measured += other.row.measured;
         stencils.add(other.stencils);
     }
 };
@@ -62,10 +59,10 @@ class Study {
     }
 
     [[nodiscard]] Pool empty_pool(const std::string& name, const std::string& split) const {
-        return {.name = name,
-                .split = split,
-                .measured = {},
-                .stencils = LinearStencils(asked_.domain)};
+        Pool pool{.row = {}, .stencils = LinearStencils(asked_.domain)};
+        pool.row.scene = name;
+        pool.row.split = split;
+        return pool;
     }
 
     [[nodiscard]] Pool pool_of(const harness::SceneViews& scene_views) const {
@@ -85,12 +82,8 @@ class Study {
     }
 
     [[nodiscard]] BoundRow row_of(const Pool& pool) {
-        BoundRow row{.scene = pool.name,
-                     .split = pool.split,
-                     .views = pool.views,
-                     .measured = pool.measured,
-                     .modelled = {},
-                     .bound = linear_bound(pool.stencils, options_.search)};
+        BoundRow row = pool.row;
+        row.bound = linear_bound(pool.stencils, options_.search);
         if (asked_.domain.contains(asked_.weights))
             row.modelled = linear_count(pool.stencils, asked_.weights);
         return row;
@@ -106,7 +99,7 @@ class Study {
                   harness::PreparedMethod& method,
                   Pool& pool) const {
         const harness::ViewTruth truth =
-            harness::trace_scored_view(model, pool.name, view, options_.trace);
+            harness::trace_scored_view(model, pool.row.scene, view, options_.trace);
         const int threads = options_.search.threads;
         pool.stencils.add(source.planes(view, truth.traced.layers.triangle, threads),
                           truth.scoring);
@@ -114,8 +107,8 @@ class Study {
         method.method().draw({view, threads}, image);
         const score::Score scored =
             score::score(image, truth.scoring, harness::score_options(method.threshold()));
-        pool.measured += {scored.k, scored.n_pred, scored.n_truth};
-        ++pool.views;
+        pool.row.measured += {scored.k, scored.n_pred, scored.n_truth};
+        ++pool.row.views;
     }
 
     BoundStudyOptions options_;
@@ -147,7 +140,7 @@ std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scene
         progress.report(done++, scene_views.scene.name);
         const Pool pool = study.pool_of(scene_views);
         for (Pool& part : parts) {
-            if (part.split == pool.split) part.add(pool);
+            if (part.row.split == pool.row.split) part.add(pool);
         }
         rows.push_back(study.row_of(pool));
         of_pools.remember(rows.back().bound.weights);
@@ -159,7 +152,7 @@ std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scene
         std::count_if(parts.begin(), parts.end(), [](const Pool& part) { return part.scenes > 0; });
     for (const Pool* pool : {&parts[0], &parts[1], &parts[2], &all}) {
         if (core::is_interrupted()) return rows;
-        progress.report(done++, pool->name);
+        progress.report(done++, pool->row.scene);
         if (pool->scenes > 1 && (pool != &all || present > 1))
             rows.push_back(of_pools.row_of(*pool));
     }
