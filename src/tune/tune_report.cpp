@@ -28,19 +28,14 @@ const char* objective_words(TuneObjective objective) {
 }
 
 std::string error_line(const TunedSettings& each) {
-    const double train = 1 - f_of(each.train);
-    std::string line = fmt::format("{:<24} {:>7.4f} {:>6.3f} {:<18}",
-                                   each.name,
-                                   train,
-                                   1 - train,
-                                   interval_text(statistics::f_interval(each.train, {})));
+    const double train = 1 - f_of(each.train), heldout = 1 - f_of(each.heldout);
+    const auto cells = [](double error, const std::vector<score::CurveCount>& scenes) {
+        const std::string range = interval_text(statistics::f_interval(scenes, {}));
+        return fmt::format(" {:>7.4f} {:>6.3f} {:<18}", error, 1 - error, range);
+    };
+    const std::string line = fmt::format("{:<24}{}", each.name, cells(train, each.train));
     if (each.heldout.empty()) return line + "\n";
-    const double heldout = 1 - f_of(each.heldout);
-    return line + fmt::format(" {:>7.4f} {:>6.3f} {:<18} {:>+8.4f}\n",
-                              heldout,
-                              1 - heldout,
-                              interval_text(statistics::f_interval(each.heldout, {})),
-                              heldout - train);
+    return line + cells(heldout, each.heldout) + fmt::format(" {:>+8.4f}\n", heldout - train);
 }
 
 std::string paired_difference_line(const char* where,
