@@ -12,7 +12,6 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::uint16_t kMain = 0x4d4d;
-constexpr std::uint16_t kNamedObject = 0x4000;
 constexpr std::uint16_t kNodeHeader = 0xb010;
 constexpr std::uint16_t kPlaces = 0xb020;
 constexpr std::uint16_t kColors = 0xb025;
@@ -96,18 +95,6 @@ std::vector<Chunk3ds> chunks_of(Bytes file, std::uint16_t section) {
             chunks.push_back(*chunk);
     }
     return chunks;
-}
-
-std::vector<Object3ds> objects_of(Bytes file) {
-    std::vector<Object3ds> objects;
-    for (const Chunk3ds& object : chunks_of(file, kEditor3ds)) {
-        if (object.id != kNamedObject) continue;
-        Bytes body = object.body;
-        objects.push_back({take_name(body), {}});
-        while (const auto chunk = take_chunk(body))
-            objects.back().chunks.push_back(*chunk);
-    }
-    return objects;
 }
 
 std::vector<Track3ds> tracks_of(Bytes file) {

@@ -33,13 +33,6 @@ inline constexpr std::uint16_t kKeyframer3ds = 0xb000;
 [[nodiscard]] std::vector<Chunk3ds> chunks_of(std::span<const std::byte> file,
                                               std::uint16_t section);
 
-/// A named object of the editor section: its chunks.
-struct Object3ds {
-    std::string name;
-    std::vector<Chunk3ds> chunks;
-};
-[[nodiscard]] std::vector<Object3ds> objects_of(std::span<const std::byte> file);
-
 /// What moves an object, file space, seconds. What eases in and out of a key (tension, continuity,
 /// bias) is passed over; a key that goes back in time ends its list.
 struct Track3ds {

@@ -16,6 +16,8 @@
 namespace ink::import {
 namespace {
 
+constexpr std::uint16_t kNamedObject = 0x4000;
+
 // Chunk ids of the 3D Studio format, for cameras.
 constexpr std::uint16_t kCamera = 0x4700;
 constexpr std::uint16_t kCameraNode = 0xb003;
@@ -28,10 +30,12 @@ constexpr double kImageAspect = 4.0 / 3.0;
 template <class Parse>
 auto all_parsed(std::span<const std::byte> file, std::uint16_t id, Parse parse) {
     std::vector<typename std::invoke_result_t<Parse, decltype(file), std::string>::value_type> all;
-    for (const Object3ds& object : objects_of(file)) {
-        for (const Chunk3ds& chunk : object.chunks) {
-            if (chunk.id != id) continue;
-            if (auto parsed = parse(chunk.body, object.name)) all.push_back(std::move(*parsed));
+    for (Chunk3ds& object : chunks_of(file, kEditor3ds)) {
+        if (object.id != kNamedObject) continue;
+        const std::string name = take_name(object.body);
+        while (const auto chunk = take_chunk(object.body)) {
+            if (chunk->id != id) continue;
+            if (auto parsed = parse(chunk->body, name)) all.push_back(std::move(*parsed));
         }
     }
     return all;

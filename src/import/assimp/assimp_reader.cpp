@@ -205,16 +205,12 @@ bool have_nodes(const aiScene& scene) {
     std::map<std::string, int> nodes;
     for (const PlacedNode& placed : placed_nodes(scene, glm::dmat4(1)))
         ++nodes[placed.node->mName.C_Str()];
-    const auto take = [&](const aiString& name) {
-        const auto node = nodes.find(name.C_Str());
+    const auto take = [&](const auto* thing) {
+        const auto node = nodes.find(thing->mName.C_Str());
         return node != nodes.end() && node->second-- == 1;
     };
-    return std::all_of(scene.mCameras,
-                       scene.mCameras + scene.mNumCameras,
-                       [&](const aiCamera* camera) { return take(camera->mName); }) &&
-           std::all_of(scene.mLights, scene.mLights + scene.mNumLights, [&](const aiLight* light) {
-               return take(light->mName);
-           });
+    return std::all_of(scene.mCameras, scene.mCameras + scene.mNumCameras, take) &&
+           std::all_of(scene.mLights, scene.mLights + scene.mNumLights, take);
 }
 
 ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {

@@ -93,8 +93,7 @@ class ObjReader {
     ImportReply read();
 
   private:
-    /// Whether the line is a surface: then its keyword is returned.
-    std::string_view read_line();
+    void read_line();
     void read_face();
     ObjCorner read_corner(std::string_view word);
     std::uint32_t read_index(std::string_view word, std::size_t count, Ahead& ahead);
@@ -165,7 +164,7 @@ void ObjReader::read_face() {
     content_.ends.push_back(content_.corners.size());
 }
 
-std::string_view ObjReader::read_line() {
+void ObjReader::read_line() {
     const std::string_view keyword = words_.word();
     if (keyword == "v") {
         // A weight counts for curves only, a colour for nothing.
@@ -184,7 +183,10 @@ std::string_view ObjReader::read_line() {
     } else if (keyword == "mtllib") {
         libraries_.emplace_back(words_.rest());
     } else if (holds(kSurfaces, keyword)) {
-        return keyword;
+        throw Refusal("",
+                      "line " + std::to_string(words_.line()) + ": \"" + std::string(keyword) +
+                          "\" is a surface that is not of polygons, which is not read",
+                      "polygons, by f");
     } else if (keyword == "l" || keyword == "p") {
         ++left_out_.lines;
     } else if (holds(kCurves, keyword)) {
@@ -192,7 +194,6 @@ std::string_view ObjReader::read_line() {
     } else if (!holds(kWithoutEffect, keyword)) {
         if (left_out_.unknown++ == 0) left_out_.first_unknown_line = words_.line();
     }
-    return {};
 }
 
 std::vector<std::string> ObjReader::notes() const {
@@ -231,14 +232,8 @@ void check_ahead(const Ahead& ahead, std::size_t count, const char* what) {
 }
 
 ImportReply ObjReader::read() {
-    while (words_.next_line()) {
-        const std::string_view surface = read_line();
-        if (surface.empty()) continue;
-        throw Refusal("",
-                      "line " + std::to_string(words_.line()) + ": \"" + std::string(surface) +
-                          "\" is a surface that is not of polygons, which is not read",
-                      "polygons, by f");
-    }
+    while (words_.next_line())
+        read_line();
     check_ahead(ahead_position_, content_.positions.size(), "vertex");
     check_ahead(ahead_normal_, content_.normals.size(), "normal");
     content_.objects = objects_.names();

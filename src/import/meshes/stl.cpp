@@ -18,26 +18,17 @@ namespace {
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 
-/// Triangles that share no vertex, with a normal each.
-struct Facets {
-    std::vector<glm::dvec3> positions;
-    std::vector<glm::vec3> normals;
+void add_facet(const glm::vec3& normal,
+               const std::array<glm::dvec3, 3>& corners,
+               ImportedMesh& to) {
+    to.positions.insert(to.positions.end(), corners.begin(), corners.end());
+    to.normals.insert(to.normals.end(), 3, normal);
+}
 
-    void add(const glm::vec3& normal, const std::array<glm::dvec3, 3>& corners) {
-        for (const glm::dvec3& p : corners) {
-            positions.push_back(p);
-            normals.push_back(normal);
-        }
-    }
-};
-
-ImportReply reply_of_facets(Facets facets, bool are_floats, const std::string& name) {
+/// `mesh` has facets, which share no vertex, and no triangles yet.
+ImportReply reply_of_facets(ImportedMesh mesh, const std::string& name) {
     ImportReply reply;
-    ImportedMesh mesh;
     mesh.name = name;
-    mesh.are_floats = are_floats;
-    mesh.positions = std::move(facets.positions);
-    mesh.normals = std::move(facets.normals);
     mesh.triangles.reserve(mesh.positions.size() / 3);
     for (std::uint32_t v = 0; v + 2 < mesh.positions.size(); v += 3)
         mesh.triangles.push_back({v, v + 1, v + 2});
@@ -67,7 +58,8 @@ ImportReply read_binary(std::string_view file, const std::string& name) {
                           "a whole, valid model file");
     }
     if (count > 0x7fffffffU / 3) throw core::Error("", "too many facets", "up to 715827882");
-    Facets facets;
+    ImportedMesh facets;
+    facets.are_floats = true;
     facets.positions.reserve(3 * count);
     facets.normals.reserve(3 * count);
     for (const char* at = file.data() + kHeaderBytes; at != file.data() + bytes;
@@ -75,9 +67,9 @@ ImportReply read_binary(std::string_view file, const std::string& name) {
         std::array<glm::vec3, 4> facet;
         static_assert(sizeof facet == 48);
         std::memcpy(facet.data(), at, sizeof facet);
-        facets.add(facet[0], {facet[1], facet[2], facet[3]});
+        add_facet(facet[0], {facet[1], facet[2], facet[3]}, facets);
     }
-    return reply_of_facets(std::move(facets), true, name);
+    return reply_of_facets(std::move(facets), name);
 }
 
 void expect(LineWords& words, std::string_view keyword) {
@@ -100,7 +92,7 @@ float normal_number(LineWords& words) {
     return core::parse_number<float>(word).value_or(std::numeric_limits<float>::quiet_NaN());
 }
 
-void read_facet(LineWords& words, Facets& facets) {
+void read_facet(LineWords& words, ImportedMesh& to) {
     expect(words, "normal");
     glm::vec3 normal;
     for (int axis = 0; axis < 3; ++axis)
@@ -114,11 +106,11 @@ void read_facet(LineWords& words, Facets& facets) {
     }
     expect(words, "endloop");
     expect(words, "endfacet");
-    facets.add(normal, corners);
+    add_facet(normal, corners, to);
 }
 
 /// The facets up to "endsolid".
-void read_solid(LineWords& words, Facets& facets) {
+void read_solid(LineWords& words, ImportedMesh& facets) {
     while (true) {
         if (words.is_line_over() && !words.next_line()) {
             throw core::Error("",
@@ -135,7 +127,7 @@ void read_solid(LineWords& words, Facets& facets) {
 
 ImportReply read_text(std::string_view file, const std::string& name) {
     LineWords words(file);
-    Facets facets;
+    ImportedMesh facets;
     std::vector<std::string> names;
     while (words.next_line()) {
         const std::string_view word = words.word();
@@ -149,7 +141,7 @@ ImportReply read_text(std::string_view file, const std::string& name) {
         if (facets.positions.size() > before) names.push_back(solid);
     }
     const bool is_named = names.size() == 1 && !names.front().empty();
-    return reply_of_facets(std::move(facets), false, is_named ? names.front() : name);
+    return reply_of_facets(std::move(facets), is_named ? names.front() : name);
 }
 
 }  // namespace
