@@ -118,10 +118,7 @@ void TuneLog::read(const std::string& key) {
         const std::size_t end = text.find('\n', begin);
         if (end == std::string::npos) return;  // killed while writing it
         const std::string_view line(text.data() + begin, end - begin);
-        if (is_first && line != heading(key)) {
-            was_anothers_ = true;
-            return;
-        }
+        if (is_first && line != heading(key)) return;
         if (!is_first) {
             if (const auto found = parse_line(line)) values_.insert(*found);
         }

@@ -35,8 +35,6 @@ class TuneLog {
 
     /// How many evaluations were found there.
     [[nodiscard]] std::size_t found() const { return found_; }
-    /// Whether lines of another search were thrown away.
-    [[nodiscard]] bool was_anothers() const { return was_anothers_; }
 
     /// What was found for these settings ("a=1;b=2").
     [[nodiscard]] std::optional<TuneValue> find(const std::string& settings) const;
@@ -51,7 +49,6 @@ class TuneLog {
     std::ofstream stream_;
     std::map<std::string, TuneValue> values_;
     std::size_t found_ = 0;
-    bool was_anothers_ = false;
 };
 
 /// What a tuner lowers over all training views.

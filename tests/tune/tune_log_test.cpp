@@ -45,7 +45,6 @@ TEST_F(Log, GivesBackWhatWasAddedToTheLastBit) {
     EXPECT_EQ(log.find("a=2;b=x")->value, 1.5);
     EXPECT_EQ(log.find("a=2;b=x")->error, third);
     EXPECT_EQ(log.find("a=2;b=x")->draw_ms, 0.1);
-    EXPECT_FALSE(log.was_anothers());
 }
 
 TEST_F(Log, GivesBackTheCountsOfEveryView) {
@@ -89,7 +88,6 @@ TEST_F(Log, AnotherSearchsLinesAreNotTaken) {
     }
     const TuneLog log(path_, "two");
     EXPECT_EQ(log.found(), 0U);
-    EXPECT_TRUE(log.was_anothers());
 }
 
 TEST_F(Log, IsGoneWhenTheSearchIsFinished) {
