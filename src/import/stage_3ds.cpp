@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/named.h"
 #include "import/chunks_3ds.h"
 #include "import/model_bytes.h"
 
@@ -185,8 +186,8 @@ std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file) {
 std::vector<CameraKeys> read_3ds_camera_keys(std::span<const std::byte> file) {
     std::vector<CameraKeys> cameras;
     const auto of = [&](const std::string& name) -> CameraKeys& {
-        const auto known = std::ranges::find(cameras, name, &CameraKeys::name);
-        return known == cameras.end() ? cameras.emplace_back(CameraKeys{name, {}, {}}) : *known;
+        CameraKeys* known = core::find_named(cameras, name);
+        return known == nullptr ? cameras.emplace_back(CameraKeys{name, {}, {}}) : *known;
     };
     for (Track3ds& track : tracks_of(file)) {
         if (track.id != kCameraNode && track.id != kTargetNode) continue;
@@ -204,9 +205,7 @@ std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
     std::vector<ImportedCamera> cameras = read_3ds_cameras(file);
     const std::vector<CameraKeys> all_keys = read_3ds_camera_keys(file);
     for (ImportedCamera& camera : cameras) {
-        for (const CameraKeys& keys : all_keys) {
-            if (keys.name == camera.name) hang(keys, camera, motion);
-        }
+        if (const auto* keys = core::find_named(all_keys, camera.name)) hang(*keys, camera, motion);
         camera.eye_world = world_from_file * glm::dvec4(camera.eye_world, 1);
         camera.target_world = world_from_file * glm::dvec4(camera.target_world, 1);
         camera.up_world = glm::dmat3(world_from_file) * camera.up_world;

@@ -3,11 +3,11 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "core/parse_number.h"
 #include "import/gltf/json.h"
 #include "import/model_bytes.h"
 
@@ -37,16 +37,12 @@ void check_stride(bool is_good,
     if (!is_good) json.fail("byteStride is " + std::to_string(layout.stride), accepted);
 }
 
-int decode(const std::string& mode,
-           std::span<const std::byte> packed,
-           const Layout& layout,
-           std::byte* out) {
-    const auto* from = reinterpret_cast<const unsigned char*>(packed.data());
-    if (mode == "ATTRIBUTES")
-        return meshopt_decodeVertexBuffer(out, layout.count, layout.stride, from, packed.size());
-    if (mode == "TRIANGLES")
-        return meshopt_decodeIndexBuffer(out, layout.count, layout.stride, from, packed.size());
-    return meshopt_decodeIndexSequence(out, layout.count, layout.stride, from, packed.size());
+using Decoder = int (*)(void*, std::size_t, std::size_t, const unsigned char*, std::size_t);
+
+Decoder decoder_of(const std::string& mode) {
+    if (mode == "ATTRIBUTES") return meshopt_decodeVertexBuffer;
+    if (mode == "TRIANGLES") return meshopt_decodeIndexBuffer;
+    return meshopt_decodeIndexSequence;
 }
 
 void check_mode(const std::string& mode, const Layout& layout, const JsonObject& json) {
@@ -94,7 +90,9 @@ std::vector<std::byte> unpack_meshopt(std::span<const std::byte> packed, const J
     }
     std::vector<std::byte> bytes(layout.count * layout.stride);
     if (bytes.empty()) return bytes;
-    const int failure = decode(mode, packed, layout, bytes.data());
+    const auto* from = reinterpret_cast<const unsigned char*>(packed.data());
+    const int failure =
+        decoder_of(mode)(bytes.data(), layout.count, layout.stride, from, packed.size());
     if (failure == kUnknownVersion) {
         json.refuse("this kind of stream is not read",
                     "what meshoptimizer " + std::to_string(MESHOPTIMIZER_VERSION) + " reads");
@@ -113,12 +111,6 @@ std::string shown(const std::string& uri) {
            (uri.size() > kMostShownChars ? "..." : "");
 }
 
-int hex_digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    const int letter = std::tolower(static_cast<unsigned char>(c));
-    return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
-}
-
 std::string decoded(const std::string& uri, const JsonObject& owner) {
     std::string path;
     for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -126,26 +118,20 @@ std::string decoded(const std::string& uri, const JsonObject& owner) {
             path += uri[i];
             continue;
         }
-        const int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
-        if (low < 0 || high * 16 + low == 0)
+        const std::string digits = uri.substr(i + 1, 2);
+        const unsigned code = core::parse_number<unsigned>(digits, 16).value_or(0);
+        if (digits.size() < 2 || code == 0)
             owner.fail(shown(uri) + " has an escape that is none", "% and two digits, not %00");
-        path += static_cast<char>(high * 16 + low);
+        path += static_cast<char>(code);
         i += 2;
     }
     return path;
 }
 
-/// What stands before the first colon if that makes it an absolute URI, as in "http:".
-std::string scheme_of(const std::string& uri) {
+/// Whether something stands before the first colon that makes it an absolute URI, as in "http:".
+bool has_scheme(const std::string& uri) {
     const std::size_t colon = uri.find(':');
-    if (colon == std::string::npos || uri.find('/') < colon) return "";
-    return uri.substr(0, colon);
-}
-
-/// Whether a URI carries its bytes itself ("data:...").
-bool is_data_uri(const std::string& uri) {
-    return uri.starts_with("data:");
+    return colon != 0 && colon != std::string::npos && uri.find('/') > colon;
 }
 
 /// The bytes in a data URI; only base64 is read. `owner` is complained of.
@@ -180,7 +166,7 @@ std::filesystem::path path_of_uri(const std::string& uri,
                                   const std::filesystem::path& folder,
                                   const JsonObject& owner) {
     constexpr const char* kAccepted = "a path below the model's folder";
-    if (!scheme_of(uri).empty()) owner.refuse(shown(uri) + " is not opened", kAccepted);
+    if (has_scheme(uri)) owner.refuse(shown(uri) + " is not opened", kAccepted);
     const std::filesystem::path path = decoded(uri, owner);
     const bool is_below = path.is_relative() &&
                           std::none_of(path.begin(), path.end(), [](auto& p) { return p == ".."; });
@@ -214,7 +200,7 @@ std::span<const std::byte> GltfBuffers::buffer(std::size_t index) {
     auto& kept = buffers_[index];
     if (!kept) {
         const std::string uri = json.text("uri");
-        if (is_data_uri(uri)) {
+        if (uri.starts_with("data:")) {
             kept = bytes_of_data_uri(uri, json);
         } else {
             kept = read_file(path_of_uri(uri, document_.folder, json), size);
