@@ -36,7 +36,7 @@ scene::View enlarged_view(const harness::SceneViews& scene_views, int n) {
 }
 
 std::unique_ptr<method::Method> make_ready(const harness::SceneViews& scene_views,
-                                           const harness::MethodConfig& config) {
+                                           const method::MethodConfig& config) {
     std::unique_ptr<method::Method> method = config.info->make(config.settings);
     method->prepare(scene_views.scene);
     method->pose(scene_views.scene);
@@ -44,7 +44,7 @@ std::unique_ptr<method::Method> make_ready(const harness::SceneViews& scene_view
 }
 
 edge::EdgeImage draw_method(const harness::SceneViews& scene_views,
-                            const harness::MethodConfig& config,
+                            const method::MethodConfig& config,
                             const scene::View& view,
                             const DrawOptions& options) {
     edge::EdgeImage edge_responses(view.width_px, view.height_px);
@@ -101,11 +101,11 @@ shade::Colors shade_colors(const DrawOptions& options, const glm::u8vec3& ink) {
 }  // namespace
 
 Drawing make_drawing(const harness::SceneViews& scene_views,
-                     const harness::MethodConfig& config,
+                     const method::MethodConfig& config,
                      const DrawOptions& options) {
     const int n = options.antialias;
     const scene::View view = enlarged_view(scene_views, n);
-    const int threshold = harness::threshold_of(config);
+    const int threshold = method::threshold_of(config);
     const shade::Ink ink{options.ink.value_or(kInk.rgb), threshold};
     const edge::EdgeImage lines =
         style_lines(draw_method(scene_views, config, view, options), threshold, options);
@@ -126,14 +126,14 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
 }
 
 std::vector<method::Layer> draw_layers(const harness::SceneViews& scene_views,
-                                       const harness::MethodConfig& config,
+                                       const method::MethodConfig& config,
                                        const DrawOptions& options) {
     return make_ready(scene_views, config)
         ->layers({scene_views.views.front(), options.threads, options.skips});
 }
 
 method::Layer draw_layer(const harness::SceneViews& scene_views,
-                         const harness::MethodConfig& config,
+                         const method::MethodConfig& config,
                          const std::string& name,
                          const DrawOptions& options) {
     std::vector<method::Layer> layers = draw_layers(scene_views, config, options);

@@ -9,9 +9,9 @@
 #include "core/param.h"
 #include "draw/error_image.h"
 #include "edge/edge_image.h"
-#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "method/method.h"
+#include "method/method_config.h"
 #include "raster/skips.h"
 #include "shade/compose.h"
 #include "shade/hand_lines.h"
@@ -54,19 +54,19 @@ struct Drawing {
 /// picture depends neither on `threads` nor on `skips`. Throws core::Error (where = "--antialias")
 /// if n x n the size is too large.
 [[nodiscard]] Drawing make_drawing(const harness::SceneViews& scene_views,
-                                   const harness::MethodConfig& config,
+                                   const method::MethodConfig& config,
                                    const DrawOptions& options);
 
 /// What the method has inside on the first view of `scene_views`, at the view's size; empty for
 /// methods that show nothing. Of the options threads and skips alone are read, and change nothing.
 [[nodiscard]] std::vector<method::Layer> draw_layers(const harness::SceneViews& scene_views,
-                                                     const harness::MethodConfig& config,
+                                                     const method::MethodConfig& config,
                                                      const DrawOptions& options);
 
 /// The one of draw_layers that is called `name`. Throws core::Error (where = "--layer") that names
 /// the method's layers if there is none.
 [[nodiscard]] method::Layer draw_layer(const harness::SceneViews& scene_views,
-                                       const harness::MethodConfig& config,
+                                       const method::MethodConfig& config,
                                        const std::string& name,
                                        const DrawOptions& options);
 

@@ -142,7 +142,7 @@ void count_solids(const scene::Scene& scene, SceneFacts& facts) {
         facts.watertight_solids += solid.is_watertight || solid.is_watertight_covered;
 }
 
-MethodExplanation explain_method(const harness::MethodConfig& config,
+MethodExplanation explain_method(const method::MethodConfig& config,
                                  const harness::SceneViews& scene_views,
                                  const SceneFacts& facts) {
     harness::PreparedMethod prepared(config, scene_views.scene);
@@ -161,7 +161,7 @@ MethodExplanation explain_method(const harness::MethodConfig& config,
 }  // namespace
 
 Explanation explain(const harness::SceneViews& scene_views,
-                    const std::vector<harness::MethodConfig>& configs,
+                    const std::vector<method::MethodConfig>& configs,
                     double crease_deg) {
     SceneFacts facts;
     facts.statistics = scene::make_scene_statistics(scene_views.scene, glm::radians(crease_deg));
@@ -173,7 +173,7 @@ Explanation explain(const harness::SceneViews& scene_views,
         facts.views.push_back(scene::make_view_statistics(facts.statistics, view));
         explanation.views.push_back({view.camera.name, facts_of(facts.views.back())});
     }
-    for (const harness::MethodConfig& config : configs)
+    for (const method::MethodConfig& config : configs)
         explanation.methods.push_back(explain_method(config, scene_views, facts));
     return explanation;
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/suite.h"
+#include "method/method_config.h"
 
 namespace ink::draw {
 
@@ -52,7 +52,7 @@ struct Explanation {
 /// Prepares every configuration on the scene and asks its declared code; draws nothing.
 /// `crease_deg` is the scene statistics's; a method plans with its own parameter.
 [[nodiscard]] Explanation explain(const harness::SceneViews& scene_views,
-                                  const std::vector<harness::MethodConfig>& configs,
+                                  const std::vector<method::MethodConfig>& configs,
                                   double crease_deg);
 
 /// For a terminal.

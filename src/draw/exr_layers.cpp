@@ -110,7 +110,7 @@ void write_truth_exr(const harness::SceneViews& scene_views,
 }
 
 void write_drawing_exr(const harness::SceneViews& scene_views,
-                       const harness::MethodConfig& config,
+                       const method::MethodConfig& config,
                        const Drawing& drawing,
                        const std::vector<method::Layer>& layers,
                        const std::filesystem::path& path) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "draw/drawing.h"
-#include "harness/method_configs.h"
 #include "harness/suite.h"
+#include "method/method_config.h"
 #include "truth/truth.h"
 
 namespace ink::draw {
@@ -33,7 +33,7 @@ void write_truth_exr(const harness::SceneViews& scene_views,
 /// layers `NAME.R NAME.G NAME.B` (as the image), its note in `ink:NAME`; the header as above, and
 /// the method with its parameters.
 void write_drawing_exr(const harness::SceneViews& scene_views,
-                       const harness::MethodConfig& config,
+                       const method::MethodConfig& config,
                        const Drawing& drawing,
                        const std::vector<method::Layer>& layers,
                        const std::filesystem::path& path);

@@ -21,6 +21,7 @@
 #include "harness/outside_method.h"
 #include "harness/row.h"
 #include "import/child_process.h"
+#include "methods/registry.h"
 
 namespace ink::entrants {
 namespace {
@@ -257,7 +258,7 @@ Entrant parse_entrant(const std::string& text) {
     return entrant;
 }
 
-harness::MethodConfig entrant_config(const Entrant& entrant, const EntrantLimits& limits) {
+method::MethodConfig entrant_config(const Entrant& entrant, const EntrantLimits& limits) {
     auto info = std::make_shared<method::MethodInfo>();
     info->name = entrant.name;
     info->source = fmt::format("outside: {}", entrant.path.string());

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/method_configs.h"
+#include "method/method_config.h"
 
 namespace ink::entrants {
 
@@ -35,7 +35,7 @@ struct EntrantLimits {
 /// program that fails, hangs or writes nothing is an error of that view alone. Parameters are
 /// `threshold` (128), and for the record `entrant` (the path) and `content` (a hash of the images
 /// or the program).
-[[nodiscard]] harness::MethodConfig entrant_config(const Entrant& entrant,
-                                                   const EntrantLimits& limits = {});
+[[nodiscard]] method::MethodConfig entrant_config(const Entrant& entrant,
+                                                  const EntrantLimits& limits = {});
 
 }  // namespace ink::entrants

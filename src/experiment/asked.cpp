@@ -44,7 +44,7 @@ toml::table views_of(const harness::ViewRequest& request) {
 
 toml::table methods_of(const Experiment& experiment) {
     toml::table methods;
-    for (const harness::MethodConfig& config : configs_of(experiment)) {
+    for (const method::MethodConfig& config : configs_of(experiment)) {
         toml::table parameters;
         for (const auto& [name, value] : config.info->complete(config.settings))
             parameters.insert(name, value);

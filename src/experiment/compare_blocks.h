@@ -24,7 +24,7 @@ struct BlockPlace {
 struct SettingsPart {
     std::size_t method = 0;
     std::size_t first = 0;  ///< the number of the first setting, from 1
-    std::vector<harness::MethodConfig> settings;
+    std::vector<method::MethodConfig> settings;
 };
 
 /// The methods at their own settings, and the baselines: rows.csv and what stands beside it.

@@ -43,13 +43,13 @@ std::vector<std::string> scenes_called(const std::string& name) {
     return names;
 }
 
-std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
-    std::vector<harness::MethodConfig> configs = harness::make_configs(
+std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
+    std::vector<method::MethodConfig> configs = methods::make_configs(
         fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
     for (const std::string& text : experiment.entrants) {
         configs.push_back(entrants::entrant_config(entrants::parse_entrant(text),
                                                    {.wall_s = experiment.entrant_s}));
-        const auto is_namesake = [&](const harness::MethodConfig& other) {
+        const auto is_namesake = [&](const method::MethodConfig& other) {
             return other.info->name == configs.back().info->name;
         };
         if (std::count_if(configs.begin(), configs.end(), is_namesake) > 1) {
@@ -59,28 +59,28 @@ std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
         }
     }
     for (const std::string& text : experiment.settings) {
-        const harness::Setting setting = harness::parse_setting(text);
-        for (harness::MethodConfig& config : configs) {
-            if (harness::param_of(setting, config) != nullptr)
+        const method::Setting setting = method::parse_setting(text);
+        for (method::MethodConfig& config : configs) {
+            if (method::param_of(setting, config) != nullptr)
                 config.settings[setting.key] = setting.value;
         }
     }
-    harness::follow_crease(experiment.crease_deg, configs);
+    methods::follow_crease(experiment.crease_deg, configs);
     return configs;
 }
 
-std::vector<harness::MethodConfig> timed_configs_of(const Experiment& experiment) {
-    std::vector<harness::MethodConfig> configs = configs_of(experiment);
-    std::erase_if(configs, [](const harness::MethodConfig& config) { return config.is_outside; });
+std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment) {
+    std::vector<method::MethodConfig> configs = configs_of(experiment);
+    std::erase_if(configs, [](const method::MethodConfig& config) { return config.is_outside; });
     return configs;
 }
 
-std::vector<harness::MethodConfig> grid_configs(const harness::MethodConfig& config,
-                                                const SettingGrid& grid) {
-    std::vector<harness::MethodConfig> configs = {config};
+std::vector<method::MethodConfig> grid_configs(const method::MethodConfig& config,
+                                               const SettingGrid& grid) {
+    std::vector<method::MethodConfig> configs = {config};
     for (const auto& [key, values] : grid.axes) {
-        std::vector<harness::MethodConfig> longer;
-        for (const harness::MethodConfig& shorter : configs) {
+        std::vector<method::MethodConfig> longer;
+        for (const method::MethodConfig& shorter : configs) {
             for (const std::string& value : values) {
                 longer.push_back(shorter);
                 longer.back().settings[key] = value;
@@ -89,7 +89,7 @@ std::vector<harness::MethodConfig> grid_configs(const harness::MethodConfig& con
         configs = std::move(longer);
     }
     std::set<core::ParamValues> known;
-    std::erase_if(configs, [&](const harness::MethodConfig& made) {
+    std::erase_if(configs, [&](const method::MethodConfig& made) {
         return !known.insert(made.info->complete(made.settings)).second;
     });
     return configs;

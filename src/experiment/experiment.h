@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/param.h"
-#include "harness/method_configs.h"
 #include "harness/suite.h"
+#include "methods/method_configs.h"
 #include "score/intersections.h"
 #include "studies/axis.h"
 
@@ -96,17 +96,17 @@ struct Experiment {
                                           const std::filesystem::path& file);
 
 /// The methods that take part, presets and entrants last, with the settings that each knows, and
-/// the truth's crease angle where they follow it (harness::follow_crease). Throws core::Error for a
+/// the truth's crease angle where they follow it (methods::follow_crease). Throws core::Error for a
 /// preset that cannot be read.
-[[nodiscard]] std::vector<harness::MethodConfig> configs_of(const Experiment& experiment);
+[[nodiscard]] std::vector<method::MethodConfig> configs_of(const Experiment& experiment);
 
 /// The same without methods from outside, which have no frames of a sequence and no times of ours.
-[[nodiscard]] std::vector<harness::MethodConfig> timed_configs_of(const Experiment& experiment);
+[[nodiscard]] std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment);
 
 /// Every combination of a grid as a configuration, on top of what `config` has; the last key turns
 /// fastest. Combinations that come out equal appear once.
-[[nodiscard]] std::vector<harness::MethodConfig> grid_configs(const harness::MethodConfig& config,
-                                                              const SettingGrid& grid);
+[[nodiscard]] std::vector<method::MethodConfig> grid_configs(const method::MethodConfig& config,
+                                                             const SettingGrid& grid);
 
 /// The scenes that "catalogue", "train" and "heldout" stand for; any other name is its own.
 [[nodiscard]] std::vector<std::string> scenes_called(const std::string& name);

@@ -40,7 +40,7 @@ std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const 
 
 /// What the blocks share.
 struct Stage {
-    std::vector<harness::MethodConfig> configs;
+    std::vector<method::MethodConfig> configs;
     harness::TraceOptions trace;
     std::vector<studies::Sequence> sequences;
 };

@@ -20,7 +20,7 @@ namespace {
 /// What the blocks of an axis share.
 struct Stage {
     studies::Axis axis;
-    std::vector<harness::MethodConfig> configs;
+    std::vector<method::MethodConfig> configs;
     harness::CellOptions options;
     studies::CaseSize size;
 };

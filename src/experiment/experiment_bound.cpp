@@ -32,7 +32,7 @@ BlockResult run_bounds(const std::vector<harness::SceneViews>& scenes,
 }  // namespace
 
 void plan_bound(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
-    const std::vector<harness::MethodConfig> configs = configs_of(experiment);
+    const std::vector<method::MethodConfig> configs = configs_of(experiment);
     if (configs.size() != 1) {
         throw core::Error(experiment.where,
                           fmt::format("a bound is of one method, not of {}", configs.size()),

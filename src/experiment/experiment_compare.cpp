@@ -65,11 +65,11 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
 }
 
 /// All settings over which a method is swept on the n-th view: its grids', then its own.
-std::vector<harness::MethodConfig> settings_of(const ViewBench& bench,
-                                               const harness::MethodConfig& config,
-                                               std::size_t nth_view) {
-    std::vector<harness::MethodConfig> settings;
-    const auto append = [&settings](std::vector<harness::MethodConfig> more) {
+std::vector<method::MethodConfig> settings_of(const ViewBench& bench,
+                                              const method::MethodConfig& config,
+                                              std::size_t nth_view) {
+    std::vector<method::MethodConfig> settings;
+    const auto append = [&settings](std::vector<method::MethodConfig> more) {
         std::move(more.begin(), more.end(), std::back_inserter(settings));
     };
     for (const SettingGrid& grid : bench.experiment().grids)
@@ -77,7 +77,7 @@ std::vector<harness::MethodConfig> settings_of(const ViewBench& bench,
     const auto own_views = static_cast<std::size_t>(bench.experiment().own_sweep_views);
     if (nth_view < own_views) append(harness::sweep_configs(config));
     std::set<core::ParamValues> known;
-    std::erase_if(settings, [&](const harness::MethodConfig& made) {
+    std::erase_if(settings, [&](const method::MethodConfig& made) {
         return !known.insert(made.info->complete(made.settings)).second;
     });
     return settings;
@@ -86,9 +86,9 @@ std::vector<harness::MethodConfig> settings_of(const ViewBench& bench,
 /// The parameters in which any setting of any sweep differs from its method's own.
 std::vector<std::string> parameters_swept(const ViewBench& bench) {
     std::set<std::string> names;
-    for (const harness::MethodConfig& config : bench.configs()) {
+    for (const method::MethodConfig& config : bench.configs()) {
         const core::ParamValues own = config.info->complete(config.settings);
-        for (const harness::MethodConfig& setting : settings_of(bench, config, 0)) {
+        for (const method::MethodConfig& setting : settings_of(bench, config, 0)) {
             for (const auto& [name, value] : setting.info->complete(setting.settings))
                 if (own.at(name) != value) names.insert(name);
         }
@@ -100,7 +100,7 @@ std::vector<std::string> parameters_swept(const ViewBench& bench) {
 void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    const BlockPlace& at,
                    std::size_t method,
-                   const std::vector<harness::MethodConfig>& settings,
+                   const std::vector<method::MethodConfig>& settings,
                    const std::vector<std::string>& swept,
                    Plan& plan) {
     if (settings.empty()) return;
@@ -150,7 +150,7 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                            [bench, at] { return run_methods(*bench, at); },
                            at.scene});
     for (std::size_t m = 0; m < bench->configs().size(); ++m) {
-        const std::vector<harness::MethodConfig> settings =
+        const std::vector<method::MethodConfig> settings =
             settings_of(*bench, bench->configs()[m], nth_view);
         plan_settings(bench, at, m, settings, swept, plan);
     }

@@ -7,6 +7,7 @@
 #include "core/whole_file.h"
 #include "experiment/experiment.h"
 #include "experiment/option_table.h"
+#include "methods/method_configs.h"
 #include "methods/toml_reader.h"
 
 namespace ink::experiment {
@@ -63,7 +64,7 @@ void read_settings(methods::TomlReader& settings, Experiment& experiment) {
         [&](methods::TomlReader& table, const std::string& prefix, const std::string& key) {
             const std::string text = prefix + key + "=" + one_text(table, key);
             at_place(table.where(key),
-                     [&] { (void)harness::make_configs(all_methods(experiment), {text}); });
+                     [&] { (void)methods::make_configs(all_methods(experiment), {text}); });
             experiment.settings.push_back(text);
         };
     for (const std::string& key : settings.keys()) {
@@ -84,7 +85,7 @@ SettingGrid read_setting_grid(methods::TomlReader& table, const std::string& met
         const auto texts = table.texts(key);
         for (const methods::TomlText& value : *texts) {
             at_place(table.where_line(value.line), [&] {
-                (void)harness::make_configs(method, {method + "." + key + "=" + value.text});
+                (void)methods::make_configs(method, {method + "." + key + "=" + value.text});
             });
             values.push_back(value.text);
         }

@@ -100,9 +100,9 @@ std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::s
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
-    const std::vector<harness::MethodConfig>& configs, std::size_t scene) {
+    const std::vector<method::MethodConfig>& configs, std::size_t scene) {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (const harness::MethodConfig& config : configs)
+    for (const method::MethodConfig& config : configs)
         methods.push_back(
             std::make_unique<harness::PreparedMethod>(config, *desk_of(scene).prepared));
     return methods;

@@ -26,7 +26,7 @@ class ViewBench {
               std::size_t triangles_at_once = harness::kTrianglesAtOnce);
 
     [[nodiscard]] const Experiment& experiment() const { return experiment_; }
-    [[nodiscard]] const std::vector<harness::MethodConfig>& configs() const { return configs_; }
+    [[nodiscard]] const std::vector<method::MethodConfig>& configs() const { return configs_; }
     [[nodiscard]] const std::vector<scene::Scene>& scenes() const { return scenes_; }
     [[nodiscard]] std::size_t view_count(std::size_t scene, const ImageSize& size) const;
     [[nodiscard]] const scene::View& view(std::size_t scene,
@@ -46,7 +46,7 @@ class ViewBench {
                                                                    std::size_t first);
     /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
-        const std::vector<harness::MethodConfig>& configs, std::size_t scene);
+        const std::vector<method::MethodConfig>& configs, std::size_t scene);
 
     /// Lets go what is kept of a scene.
     void release(std::size_t scene) { desks_[scene] = {}; }
@@ -68,7 +68,7 @@ class ViewBench {
 
     Experiment experiment_;
     harness::TraceOptions trace_;
-    std::vector<harness::MethodConfig> configs_;
+    std::vector<method::MethodConfig> configs_;
     std::size_t triangles_at_once_;
     raster::SkipSet skips_;
     std::vector<scene::Scene> scenes_;

@@ -128,10 +128,11 @@ std::size_t most_at_once(const scene::Scene& scene, std::size_t triangles_at_onc
     return std::max<std::size_t>(1, triangles_at_once / triangles);
 }
 
-PreparedMethod::PreparedMethod(const MethodConfig& config, const scene::PreparedScene& scene)
+PreparedMethod::PreparedMethod(const method::MethodConfig& config,
+                               const scene::PreparedScene& scene)
     : config_(config) {
     settings_ = config.info->complete(config.settings);
-    threshold_ = threshold_of(config);
+    threshold_ = method::threshold_of(config);
     method_ = config.info->make(config.settings);
     failure_ = failure_of([&] {
         prepare_ns_ = stage_ns(scene, [&] { method_->prepare(scene); });

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "edge/edge_image.h"
-#include "harness/method_configs.h"
 #include "harness/row.h"
 #include "harness/skip_switches.h"
 #include "harness/tracing.h"
+#include "method/method_config.h"
 #include "score/attribution.h"
 #include "score/drawing.h"
 #include "score/score.h"
@@ -88,9 +88,9 @@ class PreparedMethod {
   public:
     /// Makes, prepares and poses. What `scene` has already made counts as long as it took to make,
     /// as often as the method asks for it. A method that throws is not prepared: see `failure`.
-    PreparedMethod(const MethodConfig& config, const scene::PreparedScene& scene);
+    PreparedMethod(const method::MethodConfig& config, const scene::PreparedScene& scene);
 
-    [[nodiscard]] const MethodConfig& config() const { return config_; }
+    [[nodiscard]] const method::MethodConfig& config() const { return config_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
     [[nodiscard]] method::Method& method() { return *method_; }
     [[nodiscard]] int threshold() const { return threshold_; }
@@ -98,7 +98,7 @@ class PreparedMethod {
     [[nodiscard]] Row row() const;
 
   private:
-    MethodConfig config_;
+    method::MethodConfig config_;
     std::unique_ptr<method::Method> method_;
     std::string failure_;
     core::ParamValues settings_;

@@ -4,12 +4,12 @@
 
 namespace ink::harness {
 
-std::vector<MethodConfig> sweep_configs(const MethodConfig& config) {
+std::vector<method::MethodConfig> sweep_configs(const method::MethodConfig& config) {
     if (config.info->sweep.empty()) return {config};
-    std::vector<MethodConfig> configs;
+    std::vector<method::MethodConfig> configs;
     std::set<core::ParamValues> known;
     for (const core::ParamValues& setting : config.info->sweep) {
-        const MethodConfig swept = with(config, setting);
+        const method::MethodConfig swept = with(config, setting);
         if (known.insert(swept.info->complete(swept.settings)).second) configs.push_back(swept);
     }
     return configs;

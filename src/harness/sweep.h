@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "harness/cell.h"
-#include "harness/method_configs.h"
+#include "method/method_config.h"
 
 namespace ink::harness {
 
@@ -17,6 +17,6 @@ struct SweepOptions {
 /// The settings over which `config` is swept, each as a configuration: what the user set, with a
 /// line of MethodInfo::sweep on top. Settings that come out equal appear once. A method without a
 /// sweep is the configuration alone, so that fronts have it.
-[[nodiscard]] std::vector<MethodConfig> sweep_configs(const MethodConfig& config);
+[[nodiscard]] std::vector<method::MethodConfig> sweep_configs(const method::MethodConfig& config);
 
 }  // namespace ink::harness

@@ -45,7 +45,7 @@ Asked what_is_asked(const BoundStudyOptions& options) {
                           "with these settings it has no code that is one linear sum",
                           "mote4, or mote16, mote2 with one sum");
     }
-    const int threshold = harness::threshold_of(options.config);
+    const int threshold = method::threshold_of(options.config);
     return {*code,
             weight_domain(info.name, *code, options.is_signed, options.least_threshold),
             weights_of(*code, threshold)};

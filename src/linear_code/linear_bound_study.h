@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 #include "linear_code/linear_bound.h"
+#include "method/method_config.h"
 
 namespace ink::linear_code {
 
 /// Which code is asked about, and how its bound is looked for.
 struct BoundStudyOptions {
-    harness::MethodConfig config;  ///< a method that declares its code
-    bool is_signed = false;        ///< weights below 0 too
-    int least_threshold = 0;       ///< codes; 0: the least that the filter draws
+    method::MethodConfig config;  ///< a method that declares its code
+    bool is_signed = false;       ///< weights below 0 too
+    int least_threshold = 0;      ///< codes; 0: the least that the filter draws
     harness::TraceOptions trace;
     LinearBoundOptions search;  ///< its threads draw and trace, too; `starts` are added to
 };

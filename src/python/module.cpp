@@ -19,6 +19,7 @@
 #include "draw/drawing.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
+#include "methods/method_configs.h"
 #include "methods/registry.h"
 #include "python/arrays.h"
 #include "python/results.h"
@@ -130,7 +131,7 @@ py::array draw(const std::string& method,
         texts.push_back(key + "=" + value);
     draw::Drawing drawing = [&] {
         const py::gil_scoped_release others_run;
-        const std::vector<harness::MethodConfig> configs = harness::make_configs(method, texts);
+        const std::vector<method::MethodConfig> configs = methods::make_configs(method, texts);
         if (configs.size() != 1) throw core::Error("method", "one is drawn", "the name of one");
         draw::DrawOptions options;
         options.threads = checked_threads(threads);

@@ -35,9 +35,9 @@ std::vector<const core::Param*> code_ranges(const method::MethodInfo& info) {
     return ranges;
 }
 
-void apply_text(const std::string& text, harness::MethodConfig& config) {
-    const harness::Setting setting = harness::parse_setting(text);
-    const core::Param* param = harness::param_of(setting, config);
+void apply_text(const std::string& text, method::MethodConfig& config) {
+    const method::Setting setting = method::parse_setting(text);
+    const core::Param* param = method::param_of(setting, config);
     if (param == nullptr) return;
     const auto& known = param->choices;
     const bool is_unknown = param->kind == core::ParamKind::choice &&
@@ -45,7 +45,7 @@ void apply_text(const std::string& text, harness::MethodConfig& config) {
     if (!is_unknown) config.settings[setting.key] = setting.value;
 }
 
-void apply_gain(double gain, harness::MethodConfig& config) {
+void apply_gain(double gain, method::MethodConfig& config) {
     const std::vector<const core::Param*> ranges = code_ranges(*config.info);
     if (ranges.empty() || gain == 1) return;
     const core::ParamValues all = config.info->complete(config.settings);
@@ -56,7 +56,7 @@ void apply_gain(double gain, harness::MethodConfig& config) {
 }
 
 /// Fewer bits: the same lines at the same edge responses, from coarser codes.
-void apply_bits(int bits, harness::MethodConfig& config) {
+void apply_bits(int bits, method::MethodConfig& config) {
     const std::vector<const core::Param*> ranges = code_ranges(*config.info);
     const core::Param* scale = core::find_named(config.info->params, "scale_bits");
     if (ranges.empty() || scale == nullptr) return;
@@ -75,8 +75,8 @@ void apply_bits(int bits, harness::MethodConfig& config) {
 
 }  // namespace
 
-harness::MethodConfig under_case(const harness::MethodConfig& config, const Case& one) {
-    harness::MethodConfig result = config;
+method::MethodConfig under_case(const method::MethodConfig& config, const Case& one) {
+    method::MethodConfig result = config;
     for (const std::string& text : one.settings)
         apply_text(text, result);
     apply_gain(one.code_gain, result);

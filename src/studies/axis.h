@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "core/param.h"
-#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tables/study.h"
 #include "harness/tables/table.h"
 #include "harness/view_cells.h"
+#include "method/method_config.h"
 #include "raster/skips.h"
 #include "scene/scene.h"
 
@@ -48,8 +48,7 @@ struct Case {
 };
 
 /// `config` with the settings of a case; parameters that it does not have are passed over.
-[[nodiscard]] harness::MethodConfig under_case(const harness::MethodConfig& config,
-                                               const Case& one);
+[[nodiscard]] method::MethodConfig under_case(const method::MethodConfig& config, const Case& one);
 
 /// How the values of an axis lie on a chart.
 enum class AxisScale {

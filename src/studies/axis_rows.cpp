@@ -57,7 +57,7 @@ class CaseWork {
         traced_ = harness::trace_with_facts(model, scene(), view(), options_.trace);
     }
 
-    void draw(const std::vector<harness::MethodConfig>& configs) {
+    void draw(const std::vector<method::MethodConfig>& configs) {
         drawn_.resize(configs.size() * arms_.size());
         overflow_.resize(drawn_.size(), 0);
         const std::size_t at_once =
@@ -113,7 +113,7 @@ class CaseWork {
     [[nodiscard]] const scene::View& view() const { return one_.scene_views.views.front(); }
 
     /// The configurations from `first` to `end`, in turns.
-    void draw_some(const std::vector<harness::MethodConfig>& configs,
+    void draw_some(const std::vector<method::MethodConfig>& configs,
                    std::size_t first,
                    std::size_t end) {
         std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
@@ -156,7 +156,7 @@ int rows_of_case(const Axis& axis, std::size_t configs) {
 
 std::vector<AxisRow> axis_rows(const Axis& axis,
                                const Case& one,
-                               const std::vector<harness::MethodConfig>& configs,
+                               const std::vector<method::MethodConfig>& configs,
                                const harness::CellOptions& options,
                                AxisObserver* observer,
                                std::int64_t first_cell) {

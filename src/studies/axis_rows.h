@@ -26,7 +26,7 @@ struct AxisRow {
 /// `observer`, if there is one, sees what was drawn; `first_cell` is the number of the first row.
 [[nodiscard]] std::vector<AxisRow> axis_rows(const Axis& axis,
                                              const Case& one,
-                                             const std::vector<harness::MethodConfig>& configs,
+                                             const std::vector<method::MethodConfig>& configs,
                                              const harness::CellOptions& options,
                                              AxisObserver* observer = nullptr,
                                              std::int64_t first_cell = 0);

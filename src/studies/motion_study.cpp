@@ -52,13 +52,13 @@ std::vector<harness::Evaluation> baselines_of(const harness::ViewTruth& truth,
 /// A sequence under way: methods made ready, records that grow frame by frame.
 class Run {
   public:
-    Run(const std::vector<harness::MethodConfig>& configs,
+    Run(const std::vector<method::MethodConfig>& configs,
         Sequence& sequence,
         const harness::CellOptions& options)
         : sequence_(sequence), options_(options) {
         options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
         options_.trace.crosscheck = false;
-        for (const harness::MethodConfig& config : configs) {
+        for (const method::MethodConfig& config : configs) {
             methods_.push_back(std::make_unique<harness::PreparedMethod>(config, sequence.scene));
             const harness::Row row = methods_.back()->row();
             add_record(row.method, row.params);
@@ -214,7 +214,7 @@ score::ScoringTruth unbanded_truth(const truth::Truth& traced, score::Intersecti
         score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
 }
 
-std::vector<MotionRow> study_sequence(const std::vector<harness::MethodConfig>& configs,
+std::vector<MotionRow> study_sequence(const std::vector<method::MethodConfig>& configs,
                                       Sequence& sequence,
                                       const harness::CellOptions& options) {
     Run run(configs, sequence, options);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/view_cells.h"
+#include "method/method_config.h"
 #include "scene/camera_path.h"
 #include "scene/scene.h"
 #include "studies/motion_table.h"
@@ -34,7 +34,7 @@ struct Sequence {
 /// A method that throws in a frame is a row that says so. A frame whose truth is too large ends the
 /// sequence: every row says so. On Ctrl-C there are no rows.
 [[nodiscard]] std::vector<MotionRow> study_sequence(
-    const std::vector<harness::MethodConfig>& configs,
+    const std::vector<method::MethodConfig>& configs,
     Sequence& sequence,
     const harness::CellOptions& options);
 

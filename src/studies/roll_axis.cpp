@@ -74,7 +74,7 @@ std::optional<glm::dvec3> flat_normal(const scene::Surface& surface,
     return side * (camera.view_from_world * glm::dvec3(n_world));
 }
 
-Predictions predict(const harness::MethodConfig& config,
+Predictions predict(const method::MethodConfig& config,
                     const scene::Scene& cube,
                     const std::vector<Crease>& creases,
                     const scene::Camera& start) {
@@ -105,11 +105,11 @@ struct Cube {
     std::vector<Crease> creases = {};
     std::vector<Predictions> predictions = {};  ///< by method
 
-    Cube(const std::vector<harness::MethodConfig>& configs, const RollOptions& asked)
+    Cube(const std::vector<method::MethodConfig>& configs, const RollOptions& asked)
         : options(asked) {
         const scene::View start = view_at(scene, 0, options.size_px);
         creases = creases_of(truth::trace_truth(scene, start, {}), scene);
-        for (const harness::MethodConfig& config : configs)
+        for (const method::MethodConfig& config : configs)
             predictions.push_back(predict(config, scene, creases, start.camera));
     }
 
@@ -288,7 +288,7 @@ scene::Camera rolled_camera(const scene::Scene& scene, double roll_deg) {
     return scene::frame_at(path, 1).view.camera;
 }
 
-Axis roll_axis(const std::vector<harness::MethodConfig>& configs, const RollOptions& options) {
+Axis roll_axis(const std::vector<method::MethodConfig>& configs, const RollOptions& options) {
     const auto cube = std::make_shared<const Cube>(configs, options);
     Axis axis;
     axis.name = "roll";

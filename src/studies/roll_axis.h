@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/tables/side_table.h"
+#include "method/method_config.h"
 #include "studies/axis.h"
 
 namespace ink::studies {
@@ -49,7 +49,7 @@ struct RollOptions {
 ///
 /// Its observer writes creases.csv and vanishing.csv. Predictions come from declared codes and the
 /// cube's geometry alone (studies/roll_prediction.h).
-[[nodiscard]] Axis roll_axis(const std::vector<harness::MethodConfig>& configs,
+[[nodiscard]] Axis roll_axis(const std::vector<method::MethodConfig>& configs,
                              const RollOptions& options = {});
 
 /// Where a crease vanished near `predicted_rad`: the middle of the samples in a row, round the

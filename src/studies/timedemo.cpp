@@ -103,8 +103,8 @@ shade::Colors paper_colors() {
 
 /// A method under way along one path.
 struct Player {
-    harness::MethodConfig config;
-    int threshold = harness::threshold_of(config);
+    method::MethodConfig config;
+    int threshold = method::threshold_of(config);
     std::unique_ptr<method::Method> method = config.info->make(config.settings);
     edge::EdgeImage edge_responses = {};
     std::vector<std::string> hashes = {};  ///< of its frames, as first drawn
@@ -178,7 +178,7 @@ class Demo {
          const TimedemoOptions& options,
          core::Progress& progress)
         : scene_(scene), path_(path), options_(options), progress_(progress) {
-        for (const harness::MethodConfig& config : options.configs) {
+        for (const method::MethodConfig& config : options.configs) {
             players_.push_back({config});
             players_.back().edge_responses =
                 edge::EdgeImage(path.path.start.width_px, path.path.start.height_px);

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tables/table.h"
+#include "method/method_config.h"
 #include "raster/skips.h"
 #include "shade/shading.h"
 
@@ -15,7 +15,7 @@ namespace ink::studies {
 
 /// How an animation is timed.
 struct TimedemoOptions {
-    std::vector<harness::MethodConfig> configs;
+    std::vector<method::MethodConfig> configs;
     int frames = 60;        ///< of a path, spread evenly over the animation; stored ones whole
     int cached_passes = 2;  ///< over the same frames again, after the first
     int threads = 1;

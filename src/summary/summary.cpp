@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/named.h"
+#include "methods/registry.h"
 #include "statistics/bootstrap.h"
 
 namespace ink::summary {
@@ -197,6 +199,12 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
     std::stable_partition(
         summaries.begin(), summaries.end(), [](const MethodSummary& s) { return !s.is_baseline; });
     return summaries;
+}
+
+bool takes_one_sample(const std::string& method) {
+    const method::MethodInfo* info = core::find_named(methods::registry(), method);
+    return info != nullptr && info->family != method::Family::edges_and_hulls &&
+           info->family != method::Family::other;
 }
 
 }  // namespace ink::summary

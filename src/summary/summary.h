@@ -66,4 +66,9 @@ struct Verdict {
 
 [[nodiscard]] Verdict find_verdict(const std::vector<MethodSummary>& summaries);
 
+/// Whether a method of the registry looks once per pixel at the surface, so that `sampled` is what
+/// it may hope for; false for those that draw edges or hulls, and for names that the registry does
+/// not know.
+[[nodiscard]] bool takes_one_sample(const std::string& method);
+
 }  // namespace ink::summary

@@ -11,6 +11,7 @@
 #include "core/progress.h"
 #include "core/whole_file.h"
 #include "harness/cell.h"
+#include "methods/method_configs.h"
 #include "methods/presets.h"
 #include "statistics/ods.h"
 #include "tune/tune_folder.h"
@@ -22,7 +23,7 @@ namespace {
 /// Thrown between two evaluations after Ctrl-C.
 struct Interrupted {};
 
-using harness::with;
+using method::with;
 
 /// A search under way: answers the optimiser from what is known, from the disk or by drawing.
 class Tuner {
@@ -80,7 +81,7 @@ class Tuner {
         return *found;
     }
 
-    [[nodiscard]] TuneValue measured(const harness::MethodConfig& config, DrawnBy by) {
+    [[nodiscard]] TuneValue measured(const method::MethodConfig& config, DrawnBy by) {
         TuneValue found;
         if (options_.objective == TuneObjective::ap) {
             found.error = 1 - score::average_precision(bench_.curve(config, by));
@@ -134,7 +135,7 @@ TuneSpace checked_space(const TuneOptions& options) {
         }
         std::string others;
         for (const std::string& parameter :
-             harness::split_list(default_parameters(*options.config.info))) {
+             methods::split_list(default_parameters(*options.config.info))) {
             if (!parameter.starts_with("threshold")) others += parameter + ",";
         }
         space = TuneSpace(*options.config.info, others);
@@ -149,7 +150,7 @@ TuneSpace checked_space(const TuneOptions& options) {
 }
 
 /// The parameters' values among all settings of `config`.
-core::ParamValues parameters_of(const harness::MethodConfig& config, const TuneSpace& space) {
+core::ParamValues parameters_of(const method::MethodConfig& config, const TuneSpace& space) {
     const core::ParamValues all = config.info->complete(config.settings);
     core::ParamValues parameters;
     for (const TunedParameter& parameter : space.parameters())
@@ -157,7 +158,7 @@ core::ParamValues parameters_of(const harness::MethodConfig& config, const TuneS
     return parameters;
 }
 
-void set_best_threshold(const harness::MethodConfig& config,
+void set_best_threshold(const method::MethodConfig& config,
                         TuneBench& bench,
                         TunedSettings& found) {
     const statistics::CellCurve curve{found.name, true, bench.curve(with(config, found.settings))};

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
+#include "method/method_config.h"
 #include "score/score.h"
 #include "tune/tune_bench.h"
 #include "tune/tune_log.h"
@@ -18,8 +18,8 @@
 namespace ink::tune {
 
 struct TuneOptions {
-    harness::MethodConfig config;  ///< the method, with settings that stay as the user set them
-    std::string parameters;        ///< as TuneSpace reads them
+    method::MethodConfig config;  ///< the method, with settings that stay as the user set them
+    std::string parameters;       ///< as TuneSpace reads them
     TuneObjective objective = TuneObjective::error;
     /// Settings whose median drawing takes longer are out. Times are measured, so a search with a
     /// budget depends on the machine.

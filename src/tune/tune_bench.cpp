@@ -25,7 +25,7 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 constexpr std::size_t kBytesPerPixel = 4 * sizeof(float) + 1;
 
 /// The code of these settings, if every scene has the same.
-std::optional<method::LinearCode> code_of(const harness::MethodConfig& config) {
+std::optional<method::LinearCode> code_of(const method::MethodConfig& config) {
     if (config.info->is_planned) return std::nullopt;
     return config.info->make(config.settings)->code();
 }
@@ -44,7 +44,7 @@ std::string inputs_key(const method::LinearCode& code) {
 }
 
 /// The key at an end of a parameter's range; "" if there is no code there.
-std::string key_at(harness::MethodConfig config, const TunedParameter& parameter, double value) {
+std::string key_at(method::MethodConfig config, const TunedParameter& parameter, double value) {
     config.settings[parameter.param.name] = core::format_param(parameter.param, value);
     const auto code = code_of(config);
     return code ? inputs_key(*code) : "";
@@ -63,7 +63,7 @@ bool make_latest(Kept& kept, const std::string& key) {
 /// Settings whose images are kept: the one in hand and the one before it.
 constexpr std::size_t kKeptImages = 2;
 
-std::string key_of(const harness::MethodConfig& config, DrawnBy by) {
+std::string key_of(const method::MethodConfig& config, DrawnBy by) {
     core::ParamValues all = config.info->complete(config.settings);
     all.erase("threshold");
     return (by == DrawnBy::planes ? "planes " : "method ") + harness::join_params(all);
@@ -78,11 +78,11 @@ std::size_t TunePlanes::set_bytes() const {
     return pixels * kBytesPerPixel;
 }
 
-bool TunePlanes::can_draw(const harness::MethodConfig& config) const {
+bool TunePlanes::can_draw(const method::MethodConfig& config) const {
     return set_bytes() <= kMostBytes && code_of(config).has_value();
 }
 
-bool TunePlanes::can_search(const harness::MethodConfig& config, const TuneSpace& space) const {
+bool TunePlanes::can_search(const method::MethodConfig& config, const TuneSpace& space) const {
     return can_draw(config) && std::all_of(space.parameters().begin(),
                                            space.parameters().end(),
                                            [&](const TunedParameter& parameter) {
@@ -109,7 +109,7 @@ const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code
     return kept_.back();
 }
 
-std::vector<edge::EdgeImage> TunePlanes::images(const harness::MethodConfig& config, int threads) {
+std::vector<edge::EdgeImage> TunePlanes::images(const method::MethodConfig& config, int threads) {
     const auto code = code_of(config);
     assert(code);
     const PlaneSet& set = planes_of(*code, threads);
@@ -151,7 +151,7 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
     hash_ = hasher.hex();
 }
 
-void TuneBench::draw_scene(const harness::MethodConfig& config,
+void TuneBench::draw_scene(const method::MethodConfig& config,
                            std::size_t scene_index,
                            std::vector<edge::EdgeImage>& images,
                            std::vector<double>& times_ms) const {
@@ -171,7 +171,7 @@ void TuneBench::draw_scene(const harness::MethodConfig& config,
     }
 }
 
-std::vector<edge::EdgeImage> TuneBench::drawn_by_method(const harness::MethodConfig& config) {
+std::vector<edge::EdgeImage> TuneBench::drawn_by_method(const method::MethodConfig& config) {
     std::vector<edge::EdgeImage> images(views_.size());
     std::vector<double> times_ms(views_.size());
     core::parallel_for(scenes_.size(), takes_times_ ? 1 : threads_, [&](std::size_t s) {
@@ -181,7 +181,7 @@ std::vector<edge::EdgeImage> TuneBench::drawn_by_method(const harness::MethodCon
     return images;
 }
 
-const std::vector<edge::EdgeImage>& TuneBench::images_of(const harness::MethodConfig& config,
+const std::vector<edge::EdgeImage>& TuneBench::images_of(const method::MethodConfig& config,
                                                          DrawnBy by) {
     const std::string key = key_of(config, by);
     // With times an image is drawn for each setting: a time belongs to it.
@@ -194,10 +194,10 @@ const std::vector<edge::EdgeImage>& TuneBench::images_of(const harness::MethodCo
     return kept_.back().images;
 }
 
-std::vector<score::CurveCount> TuneBench::view_counts(const harness::MethodConfig& config,
+std::vector<score::CurveCount> TuneBench::view_counts(const method::MethodConfig& config,
                                                       DrawnBy by) {
     const std::vector<edge::EdgeImage>& images = images_of(config, by);
-    const score::ScoreOptions options = harness::score_options(harness::threshold_of(config));
+    const score::ScoreOptions options = harness::score_options(method::threshold_of(config));
     std::vector<score::CurveCount> by_view(views_.size());
     core::parallel_for(views_.size(), threads_, [&](std::size_t i) {
         const BenchView& view = views_[i];
@@ -226,16 +226,16 @@ std::vector<std::size_t> TuneBench::scenes_of_views() const {
     return scenes;
 }
 
-std::vector<score::CurveCount> TuneBench::counts(const harness::MethodConfig& config, DrawnBy by) {
+std::vector<score::CurveCount> TuneBench::counts(const method::MethodConfig& config, DrawnBy by) {
     return by_scene(view_counts(config, by));
 }
 
-PlaneAgreement TuneBench::agreement(const harness::MethodConfig& config) {
+PlaneAgreement TuneBench::agreement(const method::MethodConfig& config) {
     PlaneAgreement agreement;
     agreement.by_planes = counts(config, DrawnBy::planes);
     const std::vector<edge::EdgeImage> planes = images_of(config, DrawnBy::planes);
     const std::vector<edge::EdgeImage>& method = images_of(config, DrawnBy::method);
-    const int threshold = harness::threshold_of(config);
+    const int threshold = method::threshold_of(config);
     for (std::size_t i = 0; i < views_.size(); ++i) {
         agreement.total_px += static_cast<std::int64_t>(method[i].size());
         for (std::size_t p = 0; p < method[i].size(); ++p) {
@@ -246,8 +246,7 @@ PlaneAgreement TuneBench::agreement(const harness::MethodConfig& config) {
     return agreement;
 }
 
-std::array<score::CurveCount, 99> TuneBench::curve(const harness::MethodConfig& config,
-                                                   DrawnBy by) {
+std::array<score::CurveCount, 99> TuneBench::curve(const method::MethodConfig& config, DrawnBy by) {
     const std::vector<edge::EdgeImage>& images = images_of(config, by);
     std::vector<std::array<score::CurveCount, 99>> by_view(views_.size());
     core::parallel_for(views_.size(), threads_, [&](std::size_t i) {

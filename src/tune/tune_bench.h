@@ -6,10 +6,10 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
-#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 #include "linear_code/channel_planes.h"
+#include "method/method_config.h"
 #include "score/drawing.h"
 #include "score/score.h"
 #include "tune/tune_space.h"
@@ -39,14 +39,13 @@ class TunePlanes {
 
     /// Whether these settings can be drawn so: they declare a code that is the same in every scene,
     /// and a set of planes takes no more than a gigabyte. Hangs on no earlier call.
-    [[nodiscard]] bool can_draw(const harness::MethodConfig& config) const;
+    [[nodiscard]] bool can_draw(const method::MethodConfig& config) const;
 
     /// Whether it is worth it to search `space` so: none of its numbers makes new planes.
-    [[nodiscard]] bool can_search(const harness::MethodConfig& config,
-                                  const TuneSpace& space) const;
+    [[nodiscard]] bool can_search(const method::MethodConfig& config, const TuneSpace& space) const;
 
     /// The views' images, in their order. can_draw() is the caller's duty.
-    [[nodiscard]] std::vector<edge::EdgeImage> images(const harness::MethodConfig& config,
+    [[nodiscard]] std::vector<edge::EdgeImage> images(const method::MethodConfig& config,
                                                       int threads);
 
   private:
@@ -99,7 +98,7 @@ class TuneBench {
     [[nodiscard]] const TunePlanes& planes() const { return planes_; }
 
     /// Counts of each view at 2 px and the configuration's own threshold.
-    [[nodiscard]] std::vector<score::CurveCount> view_counts(const harness::MethodConfig& config,
+    [[nodiscard]] std::vector<score::CurveCount> view_counts(const method::MethodConfig& config,
                                                              DrawnBy by = DrawnBy::method);
     /// Counts of views summed over those of each scene.
     [[nodiscard]] std::vector<score::CurveCount> by_scene(
@@ -107,15 +106,15 @@ class TuneBench {
     /// The index of each view's scene.
     [[nodiscard]] std::vector<std::size_t> scenes_of_views() const;
     /// view_counts, summed over the views of each scene.
-    [[nodiscard]] std::vector<score::CurveCount> counts(const harness::MethodConfig& config,
+    [[nodiscard]] std::vector<score::CurveCount> counts(const method::MethodConfig& config,
                                                         DrawnBy by = DrawnBy::method);
 
     /// The same at the 99 thresholds, summed over all views: for average precision.
-    [[nodiscard]] std::array<score::CurveCount, 99> curve(const harness::MethodConfig& config,
+    [[nodiscard]] std::array<score::CurveCount, 99> curve(const method::MethodConfig& config,
                                                           DrawnBy by = DrawnBy::method);
 
     /// Planes held against the method that draws the same.
-    [[nodiscard]] PlaneAgreement agreement(const harness::MethodConfig& config);
+    [[nodiscard]] PlaneAgreement agreement(const method::MethodConfig& config);
 
     /// Median over the views of the milliseconds that a drawing takes on one thread, by the clock
     /// of every comparison (harness::draw_in_turns), when this was last asked to draw.
@@ -128,9 +127,9 @@ class TuneBench {
         std::string key;  ///< all settings but the threshold, and who drew
         std::vector<edge::EdgeImage> images;
     };
-    const std::vector<edge::EdgeImage>& images_of(const harness::MethodConfig& config, DrawnBy by);
-    [[nodiscard]] std::vector<edge::EdgeImage> drawn_by_method(const harness::MethodConfig& config);
-    void draw_scene(const harness::MethodConfig& config,
+    const std::vector<edge::EdgeImage>& images_of(const method::MethodConfig& config, DrawnBy by);
+    [[nodiscard]] std::vector<edge::EdgeImage> drawn_by_method(const method::MethodConfig& config);
+    void draw_scene(const method::MethodConfig& config,
                     std::size_t scene_index,
                     std::vector<edge::EdgeImage>& images,
                     std::vector<double>& times_ms) const;

@@ -13,7 +13,7 @@ std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
                              const TuneOptions& options) {
     const core::InterruptGuard guard("all but the linear bound is in the folder");
     linear_code::BoundStudyOptions study;
-    study.config = harness::with(options.config, result.tuned.settings);
+    study.config = method::with(options.config, result.tuned.settings);
     if (!study.config.info->make(study.config.settings)->code()) return "";
     study.trace = options.trace;
     study.search.threads = options.threads;

@@ -64,7 +64,7 @@ struct SceneRow {
 };
 
 std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& options) {
-    const harness::MethodConfig config = harness::with(options.config, of.settings.settings);
+    const method::MethodConfig config = method::with(options.config, of.settings.settings);
     harness::Row row;
     row.method = of.settings.name;
     row.scene = of.scene;

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/parse_number.h"
-#include "harness/method_configs.h"
+#include "methods/method_configs.h"
 #include "methods/toml_reader.h"
 
 namespace ink::tune {
@@ -116,7 +116,7 @@ TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& parame
         });
     };
     for (const std::string& text :
-         harness::split_list(parameters.empty() ? default_parameters(method) : parameters)) {
+         methods::split_list(parameters.empty() ? default_parameters(method) : parameters)) {
         const auto equals = text.find('=');
         const std::string name = text.substr(0, equals);
         if (has(name)) {

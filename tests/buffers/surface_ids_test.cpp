@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <set>
 
+#include "methods/registry.h"
 #include "tests/methods/small_scenes.h"
 
 namespace ink::buffers {

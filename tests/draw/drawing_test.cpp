@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "draw/palette.h"
+#include "methods/method_configs.h"
 
 namespace ink::draw {
 namespace {
@@ -18,8 +19,8 @@ harness::SceneViews small_scene_views(int width_px = 96, int height_px = 54) {
     return harness::load_one_view("cube", "", request);
 }
 
-harness::MethodConfig mote4() {
-    return harness::make_configs("mote4", {}).front();
+method::MethodConfig mote4() {
+    return methods::make_configs("mote4", {}).front();
 }
 
 std::ptrdiff_t count_of(const RgbImage& image, const glm::u8vec3& color) {

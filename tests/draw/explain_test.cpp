@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "methods/method_configs.h"
 
 namespace ink::draw {
 namespace {
@@ -15,7 +16,7 @@ MethodExplanation explained(const std::string& scene,
                             const std::vector<std::string>& settings = {}) {
     const harness::SceneViews scene_views =
         harness::make_scene_views(harness::load_scene(scene), {});
-    return explain(scene_views, harness::make_configs(method, settings), 40).methods.front();
+    return explain(scene_views, methods::make_configs(method, settings), 40).methods.front();
 }
 
 const Optimisation& find(const std::vector<Optimisation>& optimisations, const std::string& what) {
@@ -26,7 +27,7 @@ const Optimisation& find(const std::vector<Optimisation>& optimisations, const s
 TEST(Explain, ListsEverySkipForEveryMethod) {
     const harness::SceneViews scene_views =
         harness::make_scene_views(harness::load_scene("cube"), {});
-    const auto configs = harness::make_configs("", {});
+    const auto configs = methods::make_configs("", {});
     const Explanation all = explain(scene_views, configs, 40);
     ASSERT_EQ(all.methods.size(), configs.size());
     EXPECT_EQ(all.views.size(), scene_views.views.size());
@@ -83,7 +84,7 @@ TEST(Explain, OnlyAutoHasAPlan) {
 TEST(Explain, TextHasAHeadingForEachPart) {
     const harness::SceneViews scene_views =
         harness::make_scene_views(harness::load_scene("torus"), {});
-    const std::string text = as_text(explain(scene_views, harness::make_configs("auto", {}), 40));
+    const std::string text = as_text(explain(scene_views, methods::make_configs("auto", {}), 40));
     for (const char* part : {"torus: its scene statistics",
                              "torus, seen from ",
                              "auto: what it may leave out",

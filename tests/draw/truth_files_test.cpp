@@ -9,6 +9,7 @@
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "image_io/exr_file.h"
+#include "methods/method_configs.h"
 #include "tests/report/markup.h"
 #include "tests/scene/small_meshes.h"
 
@@ -112,7 +113,7 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
 
 TEST(DrawingExr, HoldsImageShadingResponseAndLayers) {
     const harness::SceneViews scene_views = cube();
-    const harness::MethodConfig config = harness::make_configs("mote4", {}).front();
+    const method::MethodConfig config = methods::make_configs("mote4", {}).front();
     DrawOptions options;
     options.shading = shade::GouraudParams{};
     const Drawing drawing = make_drawing(scene_views, config, options);

@@ -7,6 +7,7 @@
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
 #include "harness/view_cells.h"
+#include "methods/method_configs.h"
 #include "tests/harness/random_rows.h"
 
 namespace ink::experiment {
@@ -21,8 +22,8 @@ std::vector<harness::Evaluation> scored_evaluations(const std::string& name) {
     options.seed = 18446744073709551615ULL;
     truth::SceneModel model(scene, options.trace.truth);
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (const harness::MethodConfig& config :
-         harness::make_configs("mote4,decaudin,edge_list,auto", {}))
+    for (const method::MethodConfig& config :
+         methods::make_configs("mote4,decaudin,edge_list,auto", {}))
         methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
     std::vector<harness::Evaluation> evaluations =
         harness::method_evaluations(methods, view, options.measure);

@@ -55,7 +55,7 @@ void check_experiment(const experiment::Experiment& e) {
         for (const auto& [key, values] : grid.axes)
             combinations *= std::min<std::size_t>(values.size(), 100);
         const auto config =
-            std::find_if(configs.begin(), configs.end(), [&](const harness::MethodConfig& c) {
+            std::find_if(configs.begin(), configs.end(), [&](const method::MethodConfig& c) {
                 return c.info->name == grid.method;
             });
         expect(config != configs.end(), "a sweep is of a method that takes part");

@@ -3,6 +3,7 @@
 #include "catalogue/catalogue.h"
 #include "harness/cell.h"
 #include "harness/miss_prediction.h"
+#include "methods/registry.h"
 #include "tests/catalogue_names.h"
 
 namespace ink::harness {
@@ -29,7 +30,7 @@ class SmallScene {
 
     /// Draws every view with a method, scores it, says why it is wrong, and hands that on.
     template <class Visit>
-    void explain(const MethodConfig& config, Visit visit) {
+    void explain(const method::MethodConfig& config, Visit visit) {
         std::vector<std::unique_ptr<PreparedMethod>> methods;
         methods.push_back(std::make_unique<PreparedMethod>(config, scene_views_.scene));
         for (std::size_t i = 0; i < truths_.size(); ++i) {
@@ -109,7 +110,7 @@ TEST(MissPrediction, ForetellsWhatTheMethodDraws) {
             std::int64_t false_negatives = 0;
             std::int64_t unexplained = 0;
             std::int64_t drawn_after_all = 0;
-            const MethodConfig config{&methods::find_method("mote4"), settings};
+            const method::MethodConfig config{&methods::find_method("mote4"), settings};
             scene.explain(config, [&](const ViewTruth& truth, const Scored& scored) {
                 false_negatives += scored.at_2px.false_negatives;
                 unexplained += scored.attribution.counts[Cause::unexplained];

@@ -123,7 +123,7 @@ TEST_P(EveryScene, KeepsTheLawsOfTheScore) {
     std::vector<std::unique_ptr<PreparedMethod>> methods;
     for (const method::MethodInfo& info : methods::registry())
         methods.push_back(
-            std::make_unique<PreparedMethod>(MethodConfig{&info, {}}, scene_views.scene));
+            std::make_unique<PreparedMethod>(method::MethodConfig{&info, {}}, scene_views.scene));
     for (const scene::View& view : scene_views.views) {
         SCOPED_TRACE(view.camera.name);
         const ViewTruth truth = truth_of(model, view);

@@ -50,7 +50,7 @@ struct Stage {
     std::vector<std::unique_ptr<PreparedMethod>> methods;
 
     void add(const method::MethodInfo& info) {
-        methods.push_back(std::make_unique<PreparedMethod>(MethodConfig{&info, {}}, scene));
+        methods.push_back(std::make_unique<PreparedMethod>(method::MethodConfig{&info, {}}, scene));
     }
 };
 

@@ -1,4 +1,3 @@
-#include "harness/method_configs.h"
 
 #include <gmock/gmock.h>
 
@@ -7,23 +6,24 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "methods/method_configs.h"
 #include "tests/core/error_text.h"
 
 namespace ink::harness {
 namespace {
 
 std::string message_of(const std::string& methods, const std::vector<std::string>& settings) {
-    return core::error_text([&] { return make_configs(methods, settings); });
+    return core::error_text([&] { return methods::make_configs(methods, settings); });
 }
 
 TEST(MethodConfigs, NoListIsEveryMethodInTheRegistrysOrder) {
-    const auto configs = make_configs("", {});
+    const auto configs = methods::make_configs("", {});
     ASSERT_EQ(configs.size(), methods::registry().size());
     EXPECT_EQ(configs[0].info->name, methods::registry()[0].name);
 }
 
 TEST(MethodConfigs, ASettingWithoutMethodGoesToAllThatKnowIt) {
-    const auto configs = make_configs("mote4,decaudin", {"clip_bits=3", "threshold=7"});
+    const auto configs = methods::make_configs("mote4,decaudin", {"clip_bits=3", "threshold=7"});
     EXPECT_EQ(configs[0].settings.at("clip_bits"), "3");
     EXPECT_EQ(configs[0].settings.at("threshold"), "7");
     EXPECT_EQ(configs[1].settings.count("clip_bits"), 0U);
@@ -31,17 +31,17 @@ TEST(MethodConfigs, ASettingWithoutMethodGoesToAllThatKnowIt) {
 }
 
 TEST(MethodConfigs, ASettingWithMethodGoesToThatOneOnly) {
-    const auto configs = make_configs("mote4,mote2", {"mote2.threshold=9"});
+    const auto configs = methods::make_configs("mote4,mote2", {"mote2.threshold=9"});
     EXPECT_TRUE(configs[0].settings.empty());
     EXPECT_EQ(configs[1].settings.at("threshold"), "9");
 }
 
 TEST(MethodConfigs, FollowTheTruthsCreaseAngleWhereItIsTheirOwn) {
-    std::vector<MethodConfig> configs =
-        make_configs("ids,edge_list,sobel,inverted_hull,mote4", {"edge_list.crease_deg=20"});
-    follow_crease(40, configs);
+    std::vector<method::MethodConfig> configs = methods::make_configs(
+        "ids,edge_list,sobel,inverted_hull,mote4", {"edge_list.crease_deg=20"});
+    methods::follow_crease(40, configs);
     EXPECT_TRUE(configs[0].settings.empty()) << "nothing moves at the usual angle";
-    follow_crease(60, configs);
+    methods::follow_crease(60, configs);
     EXPECT_EQ(configs[0].settings.at("crease_deg"), "60");
     EXPECT_EQ(configs[1].settings.at("crease_deg"), "20") << "it was set";
     EXPECT_EQ(configs[2].settings.at("crease_deg"), "60") << "the patches of its normals";
@@ -62,19 +62,22 @@ TEST(MethodConfigs, APresetCalledAsAShippedOneTakesItsPlace) {
     const auto file = std::filesystem::path(testing::TempDir()) / "configs_test_preset.toml";
     std::ofstream(file)
         << "name = \"mote4_tuned\"\nmethod = \"mote4\"\n[settings]\nthreshold = 77\n";
-    const std::vector<MethodConfig> configs = make_configs("", {}, {file.string()});
+    const std::vector<method::MethodConfig> configs =
+        methods::make_configs("", {}, {file.string()});
     std::filesystem::remove(file);
-    const auto is_namesake = [](const MethodConfig& e) { return e.info->name == "mote4_tuned"; };
+    const auto is_namesake = [](const method::MethodConfig& e) {
+        return e.info->name == "mote4_tuned";
+    };
     EXPECT_EQ(std::count_if(configs.begin(), configs.end(), is_namesake), 1);
     EXPECT_EQ(configs.back().info->name, "mote4_tuned");
     EXPECT_EQ(configs.back().info->complete({}).at("threshold"), "77");
 }
 
 TEST(SplitList, LeavesOutWhatIsEmpty) {
-    EXPECT_EQ(split_list("a,,b,"), (std::vector<std::string>{"a", "b"}));
-    EXPECT_EQ(split_list(" a b ,\tc, ,"), (std::vector<std::string>{"a b", "c"}));
-    EXPECT_TRUE(split_list("").empty());
-    EXPECT_TRUE(split_list("  ").empty());
+    EXPECT_EQ(methods::split_list("a,,b,"), (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(methods::split_list(" a b ,\tc, ,"), (std::vector<std::string>{"a b", "c"}));
+    EXPECT_TRUE(methods::split_list("").empty());
+    EXPECT_TRUE(methods::split_list("  ").empty());
 }
 
 }  // namespace

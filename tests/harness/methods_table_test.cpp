@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "harness/cell.h"
+#include "methods/method_configs.h"
 
 namespace ink::harness {
 namespace {
@@ -33,7 +34,8 @@ TEST(MethodsTable, BaselineRowsSayWhatTheyAreForAndNothingElse) {
 }
 
 TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
-    const std::vector<MethodConfig> configs = make_configs("decaudin", {"threshold=99"});
+    const std::vector<method::MethodConfig> configs =
+        methods::make_configs("decaudin", {"threshold=99"});
     const std::string line = lines_of(methods_csv(configs)).at(5);
     EXPECT_THAT(line,
                 StartsWith("decaudin,method,full_buffers,circle,"
@@ -46,7 +48,7 @@ TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
 }
 
 TEST(MethodsTable, APresetNamesItsMethod) {
-    const std::string line = lines_of(methods_csv(make_configs("mote4_tuned", {}))).at(5);
+    const std::string line = lines_of(methods_csv(methods::make_configs("mote4_tuned", {}))).at(5);
     EXPECT_THAT(line, StartsWith("mote4_tuned,method,packed,square,range_depth:0..255;"));
     EXPECT_THAT(
         line,
@@ -55,19 +57,19 @@ TEST(MethodsTable, APresetNamesItsMethod) {
 
 TEST(MethodsTable, BytesFollowTheSettingsAndAreEmptyWhereTheSceneDecides) {
     const auto bytes = [](const std::string& method, const std::vector<std::string>& settings) {
-        const std::vector<MethodConfig> configs = make_configs(method, settings);
+        const std::vector<method::MethodConfig> configs = methods::make_configs(method, settings);
         return configs[0].info->bytes_per_px(configs[0].settings);
     };
     EXPECT_EQ(bytes("mote4", {"depth_format=q32"}), 5);
     EXPECT_EQ(bytes("mote4", {"depth_format=z16"}), 3);
-    EXPECT_THAT(lines_of(methods_csv(make_configs("mote4", {"depth_format=z16"}))).at(5),
+    EXPECT_THAT(lines_of(methods_csv(methods::make_configs("mote4", {"depth_format=z16"}))).at(5),
                 HasSubstr("threshold:1..64,3,,"));
-    EXPECT_THAT(lines_of(methods_csv(make_configs("auto", {}))).at(5),
+    EXPECT_THAT(lines_of(methods_csv(methods::make_configs("auto", {}))).at(5),
                 StartsWith("auto,method,packed,up,threshold:1..255,,,"));
 }
 
 TEST(MethodsTable, HasALinePerConfigOfARun) {
-    const std::vector<MethodConfig> all = make_configs("", {});
+    const std::vector<method::MethodConfig> all = methods::make_configs("", {});
     EXPECT_EQ(lines_of(methods_csv(all)).size(), 1 + 4 + all.size());
 }
 

@@ -8,6 +8,7 @@
 
 #include "harness/cell.h"
 #include "harness/truth_code.h"
+#include "methods/registry.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::harness {
@@ -63,7 +64,7 @@ Explained explain(const scene::Scene& scene,
                   const scene::View& view,
                   const std::string& method,
                   const core::ParamValues& settings) {
-    const MethodConfig config{&methods::find_method(method), settings};
+    const method::MethodConfig config{&methods::find_method(method), settings};
     std::vector<std::unique_ptr<PreparedMethod>> methods;
     methods.push_back(std::make_unique<PreparedMethod>(config, scene));
     std::vector<edge::EdgeImage> images;

@@ -63,7 +63,7 @@ struct Stage {
 
     Row timed(MeasureOptions options) {
         std::vector<std::unique_ptr<PreparedMethod>> methods;
-        methods.push_back(std::make_unique<PreparedMethod>(MethodConfig{&info, {}}, scene));
+        methods.push_back(std::make_unique<PreparedMethod>(method::MethodConfig{&info, {}}, scene));
         std::vector<edge::EdgeImage> images;
         const auto times = draw_in_turns(methods, view, options, images);
         Row row = methods[0]->row();

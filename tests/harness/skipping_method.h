@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "method/method.h"
 
 namespace ink::harness {

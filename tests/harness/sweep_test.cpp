@@ -45,7 +45,7 @@ TEST(SweepConfigs, PutTheSweepOnTopOfWhatTheUserSet) {
     const auto info = stroke_info();
     const auto configs = sweep_configs({&info, {{"tip", "flat"}, {"edge_response", "77"}}});
     std::vector<core::ParamValues> settings;
-    for (const MethodConfig& config : configs)
+    for (const method::MethodConfig& config : configs)
         settings.push_back(config.settings);
     // The last line, {tip: flat}, is what the user has already.
     EXPECT_THAT(settings,

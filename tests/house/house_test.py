@@ -10,7 +10,7 @@ from collections import defaultdict
 from pathlib import Path
 
 MADE = {".git", "build", "inkbench-out", "bootstrap.log"}  # no part of the sources, as in .gitignore
-MOST_FILES, MOST_LINES, MOST_FLOORS, MOST_README_WORDS = 60, 4300, 12, 600
+MOST_FILES, MOST_LINES, MOST_FLOORS, MOST_README_WORDS = 60, 4300, 10, 600
 DRAWERS = {"util", "utils", "common", "helper", "helpers", "misc"}
 
 # A library: what its includes begin with, the folders in which any file may, and how many others may.
@@ -302,7 +302,7 @@ PLANTED = [
     (check_arrows, "src/README.md", "", "no table of rooms"),
     (check_floors, "src/README.md", TABLE.replace("nothing of ours", "tune"), "is below itself"),
     (check_floors, "src/README.md", "".join(f"| `{c}` | all of the above | |\n" for c in
-                                            "abcdefghijklm"), "m is on floor 13, of 12"),
+                                            "abcdefghijklm"), "m is on floor 13, of 10"),
     (check_libraries, "src/scene/a.cpp", "#include <opencv2/core.hpp>", "src/scene/a.cpp: OpenCV"),
     (check_libraries, "src/scene/a.cpp", "#include <CLI/CLI.hpp>", "CLI11, which at most 0"),
     (check_folders, "src/video/CMakeLists.txt", "", "src/video: no room"),

@@ -9,6 +9,7 @@
 
 #include "catalogue/catalogue.h"
 #include "linear_code/cancellation_study.h"
+#include "methods/registry.h"
 #include "tests/linear_code/crease_fan.h"
 
 namespace ink::linear_code {
@@ -23,10 +24,10 @@ constexpr double kTwoPoints = 0.02;
 /// The rows of methods on views of one scene; `crease_deg` is the methods' and the truth's.
 std::vector<CancellationRow> study(const scene::Scene& scene,
                                    const std::vector<scene::View>& views,
-                                   const std::vector<harness::MethodConfig>& configs,
+                                   const std::vector<method::MethodConfig>& configs,
                                    double crease_deg) {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (harness::MethodConfig config : configs) {
+    for (method::MethodConfig config : configs) {
         config.settings["crease_deg"] = std::to_string(crease_deg);
         methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
     }
@@ -45,8 +46,8 @@ std::vector<CancellationRow> study(const scene::Scene& scene,
     return rows;
 }
 
-std::vector<harness::MethodConfig> motes() {
-    std::vector<harness::MethodConfig> configs;
+std::vector<method::MethodConfig> motes() {
+    std::vector<method::MethodConfig> configs;
     for (const char* name : {"mote2", "mote4", "mote16"})
         configs.push_back({&methods::find_method(name), {}});
     return configs;
@@ -166,7 +167,7 @@ RoofImage diagonal_roof() {
 
 TEST(Cancellation, ACreaseAcrossWhichTheCodeDoesNotChangeIsPredictedMissed) {
     const RoofImage roof = diagonal_roof();
-    const harness::MethodConfig alike{&methods::find_method("mote4"), {{"sky", "255"}}};
+    const method::MethodConfig alike{&methods::find_method("mote4"), {{"sky", "255"}}};
     const CancellationCount missed = crease_total(study(roof.scene, {roof.view}, {alike}, 40));
     // 80 px along a diagonal are 57 pixels; at both ends the outline's ink is in reach.
     EXPECT_GE(missed.n_truth, 50);
@@ -176,8 +177,8 @@ TEST(Cancellation, ACreaseAcrossWhichTheCodeDoesNotChangeIsPredictedMissed) {
 
 TEST(Cancellation, TheSameCreaseIsPredictedSeenByUnlikeWeights) {
     const RoofImage roof = diagonal_roof();
-    const harness::MethodConfig unlike{&methods::find_method("mote4"),
-                                       {{"sky", "255"}, {"range_ny", "0"}}};
+    const method::MethodConfig unlike{&methods::find_method("mote4"),
+                                      {{"sky", "255"}, {"range_ny", "0"}}};
     const CancellationCount seen = crease_total(study(roof.scene, {roof.view}, {unlike}, 40));
     EXPECT_GE(seen.n_truth, 50);
     EXPECT_EQ(seen.predicted_false_negatives, 0);

@@ -10,6 +10,7 @@
 
 #include "catalogue/catalogue.h"
 #include "harness/cell.h"
+#include "methods/registry.h"
 
 namespace ink::linear_code {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "catalogue/catalogue.h"
 #include "harness/cell.h"
+#include "methods/registry.h"
 
 namespace ink::linear_code {
 namespace {

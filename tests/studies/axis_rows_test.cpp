@@ -1,3 +1,4 @@
+#include "methods/method_configs.h"
 #include "studies/axis_rows.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +24,7 @@ constexpr CaseSize kSmall{112, 63};
 
 std::vector<AxisRow> rows_of(const std::string& axis,
                              double value,
-                             const std::vector<harness::MethodConfig>& configs,
+                             const std::vector<method::MethodConfig>& configs,
                              const CaseSize& size = kSmall) {
     const Axis& along = find_stress_axis(axis);
     std::vector<AxisRow> rows;
@@ -45,7 +46,7 @@ std::map<std::string, std::string> hashes(const std::vector<AxisRow>& rows,
 }
 
 TEST(StressRows, NoExtremeLosesACellOrANumber) {
-    const auto configs = harness::make_configs("mote4,roberts", {});
+    const auto configs = methods::make_configs("mote4,roberts", {});
     for (const Axis& axis : stress_axes()) {
         const double last = axis.name == "facets" ? 32768 : axis.values.back();  // for time
         for (const double value : {axis.values.front(), last}) {
@@ -67,7 +68,7 @@ TEST(StressRows, NoExtremeLosesACellOrANumber) {
 }
 
 TEST(StressRows, ACaseWithoutATruePixelHasNoScore) {
-    const auto configs = harness::make_configs("mote4", {});
+    const auto configs = methods::make_configs("mote4", {});
     int crowded = 0;
     for (const AxisRow& row : rows_of("zoom", 1.0 / 32, configs, {960, 540})) {
         EXPECT_EQ(row.faults.lost, 0) << "lines too dense to score are there";
@@ -90,7 +91,7 @@ TEST(StressRows, ACaseWithoutATruePixelHasNoScore) {
 }
 
 TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
-    const auto rows = rows_of("zoom", 0.25, harness::make_configs("mote2", {}));
+    const auto rows = rows_of("zoom", 0.25, methods::make_configs("mote2", {}));
     ASSERT_EQ(rows.size(), 20U);
     EXPECT_EQ(rows[0].row.axis, "zoom");
     EXPECT_EQ(rows[0].row.value, 0.25);
@@ -141,7 +142,7 @@ TEST(StressRows, AnImageOfAnotherSizeIsLost) {
 }
 
 TEST(StressThreads, DrawTheSameImages) {
-    const auto configs = harness::make_configs("decaudin,mote16,edge_hash", {});
+    const auto configs = methods::make_configs("decaudin,mote16,edge_hash", {});
     std::vector<AxisRow> rows = rows_of("threads", 1, configs);
     for (const double threads : {3, 8}) {
         for (AxisRow& row : rows_of("threads", threads, configs))
@@ -182,7 +183,7 @@ TEST(StressDifferences, AreToldWhereAnAxisAllowsNone) {
 }
 
 TEST(StressScaleAxis, AMillionthAndABillionTimesTheSizeAreTheSameImage) {
-    const auto configs = harness::make_configs("decaudin,polygon_offset", {});
+    const auto configs = methods::make_configs("decaudin,polygon_offset", {});
     const auto small = rows_of("scale", std::ldexp(1, -30), configs);
     const auto large = rows_of("scale", std::ldexp(1, 30), configs);
     for (const char* method : {"oracle", "sampled", "exact_corner"})
@@ -196,7 +197,7 @@ TEST(StressOrigin, ExactlyMovedScenesKeepTheirTruth) {
 }
 
 TEST(StressFp32, RoundsWhatMethodsAreGivenAndNotTheTruth) {
-    const auto configs = harness::make_configs("ids", {});
+    const auto configs = methods::make_configs("ids", {});
     const auto exact = rows_of("origin", 1e6, configs);
     const auto rounded = rows_of("fp32", 1e6, configs);
     EXPECT_EQ(hashes(exact, "oracle"), hashes(rounded, "oracle"));
@@ -205,7 +206,7 @@ TEST(StressFp32, RoundsWhatMethodsAreGivenAndNotTheTruth) {
 }
 
 TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
-    const auto configs = harness::make_configs("mote4", {});
+    const auto configs = methods::make_configs("mote4", {});
     const Axis turn = roll_axis(configs, {.angles = 36});
     const auto observer = turn.observer();
     std::map<std::int64_t, bool> is_blind;  // by angle
@@ -270,7 +271,7 @@ std::int64_t overflow_of(double offset) {
     info.complete = [](const core::ParamValues&) {
         return core::ParamValues{{"overflow", "saturate"}};
     };
-    harness::MethodConfig config;
+    method::MethodConfig config;
     config.info = &info;
     Overflowing method(false, offset);
     return count_overflow(method, config, {}, {});

@@ -1,3 +1,4 @@
+#include "methods/method_configs.h"
 #include "studies/motion_study.h"
 
 #include <gmock/gmock.h>
@@ -97,7 +98,7 @@ TEST(StudySequence, ATruthThatIsTooLargeIsTheStatusOfAll) {
 }
 
 TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
-    const auto configs = harness::make_configs("mote4", {});
+    const auto configs = methods::make_configs("mote4", {});
     Sequence still = torus(4);
     still.path.kind = scene::PathKind::still;
     Sequence moving = torus(4);
@@ -122,7 +123,7 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
     EXPECT_EQ(gears.scene.name, "gear");
     EXPECT_EQ(gears.path.kind, scene::PathKind::still);
     ASSERT_TRUE(gears.pose);
-    const auto configs = harness::make_configs("mote4,edge_hash,polygon_offset,sobel", {});
+    const auto configs = methods::make_configs("mote4,edge_hash,polygon_offset,sobel", {});
     const auto turning = study_sequence(configs, gears, {});
     EXPECT_TRUE(motion_faults(turning).empty());
     // The same camera before gears that stand: nothing comes, nothing goes.
@@ -146,7 +147,7 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
 
 TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
     harness::CellOptions options;
-    const auto configs = harness::make_configs("mote4", {});
+    const auto configs = methods::make_configs("mote4", {});
     for (Sequence& sequence : study_sequences(160, 90, 3)) {
         SCOPED_TRACE(sequence.scene.name);
         options.measure.threads = 1;

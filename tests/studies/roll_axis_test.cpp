@@ -1,3 +1,4 @@
+#include "methods/method_configs.h"
 #include "studies/roll_axis.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ TEST(MeasuredVanishing, OfACreaseThatIsNeverShownIsNothing) {
 }
 
 /// A whole turn; cells count up by `configs` and baselines.
-Lines turn_round(const std::vector<harness::MethodConfig>& configs,
+Lines turn_round(const std::vector<method::MethodConfig>& configs,
                  const RollOptions& options,
                  int threads = 1) {
     const Axis axis = roll_axis(configs, options);
@@ -76,7 +77,7 @@ Lines turn_round(const std::vector<harness::MethodConfig>& configs,
 /// The claim itself: two angles per crease, each within two degrees of where mote4 loses it.
 TEST(RollAxis, Mote4LosesEachCreaseWhereItsWeightsSay) {
     const Lines lines =
-        turn_round(harness::make_configs("mote4", {}), {.angles = 180, .size_px = 200});
+        turn_round(methods::make_configs("mote4", {}), {.angles = 180, .size_px = 200});
     const harness::CsvTable angles = harness::split_csv(
         harness::heading(vanishing_table()) + lines.at("vanishing.csv"), "vanishing.csv");
     ASSERT_EQ(angles.records.size(), 6U) << "three creases, two angles each";
@@ -99,7 +100,7 @@ TEST(RollAxis, Mote4LosesEachCreaseWhereItsWeightsSay) {
 
 TEST(RollAxis, WhoDeclaresNoCodeIsNotPredictedAndThreadsChangeNothing) {
     const RollOptions options{.angles = 8, .size_px = 120};
-    const auto configs = harness::make_configs("decaudin,mote4", {});
+    const auto configs = methods::make_configs("decaudin,mote4", {});
     const Lines lines = turn_round(configs, options);
     const auto samples = creases_in(lines);
     const std::int64_t cells_of_angle = 2 + harness::kBaselines;

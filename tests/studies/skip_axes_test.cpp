@@ -29,7 +29,7 @@ Axis axis_for(Skip skip) {
 
 /// The cells of an axis' one scene, over two rounds.
 std::vector<AxisRow> rows_on(Axis axis,
-                             const harness::MethodConfig& config,
+                             const method::MethodConfig& config,
                              const CaseSize& size = kSize) {
     axis.repetitions = 2;
     harness::CellOptions options;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "methods/method_configs.h"
 #include "studies/axis_rows.h"
 #include "studies/skip_axes.h"
 
@@ -30,7 +31,7 @@ class SkipCounts : public testing::TestWithParam<std::string> {
         std::vector<harness::Row> rows;
         for (const AxisRow& of : axis_rows(axis,
                                            axis.cases(axis.values.front(), {640, 360}).front(),
-                                           harness::make_configs("mote4", {}),
+                                           methods::make_configs("mote4", {}),
                                            options))
             rows.push_back(of.row);
         return rows;

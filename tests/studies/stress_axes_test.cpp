@@ -95,11 +95,11 @@ TEST(StressValues, KeepsBothEnds) {
     EXPECT_THAT(axis_values(axis, 50), testing::SizeIs(9));
 }
 
-harness::MethodConfig config_of(const char* method) {
+method::MethodConfig config_of(const char* method) {
     return {&methods::find_method(method), {}};
 }
 
-std::string parameter(const harness::MethodConfig& config, const char* name) {
+std::string parameter(const method::MethodConfig& config, const char* name) {
     return config.info->complete(config.settings).at(name);
 }
 
@@ -117,7 +117,7 @@ TEST(UnderStress, SetsParametersOfThoseThatHaveThem) {
 TEST(UnderStress, GainTakesRangesAndThresholdAlong) {
     Case stress;
     stress.code_gain = 2;
-    const harness::MethodConfig twice = under_case(config_of("mote4"), stress);
+    const method::MethodConfig twice = under_case(config_of("mote4"), stress);
     EXPECT_EQ(parameter(twice, "range_depth"), "126");
     EXPECT_EQ(parameter(twice, "range_nz"), "126");
     EXPECT_EQ(parameter(twice, "threshold"), "12");
@@ -129,14 +129,14 @@ TEST(UnderStress, GainTakesRangesAndThresholdAlong) {
 TEST(UnderStress, FewerBitsShiftTheResponseBack) {
     Case stress;
     stress.code_bits = 6;
-    const harness::MethodConfig six = under_case(config_of("mote4"), stress);
+    const method::MethodConfig six = under_case(config_of("mote4"), stress);
     EXPECT_EQ(parameter(six, "range_depth"), "15");
     EXPECT_EQ(parameter(six, "scale_bits"), "2");
     EXPECT_EQ(parameter(six, "clip_bits"), "0");
     EXPECT_EQ(parameter(six, "threshold"), "6");
     stress.code_bits = 12;
     EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "range_depth"), "63");
-    const harness::MethodConfig twelve = under_case(config_of("mote16"), stress);
+    const method::MethodConfig twelve = under_case(config_of("mote16"), stress);
     EXPECT_EQ(parameter(twelve, "range_depth"), "1023");
     EXPECT_EQ(parameter(twelve, "scale_bits"), "-2");
 }

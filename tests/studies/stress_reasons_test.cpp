@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/method_configs.h"
 #include "studies/axis_rows.h"
 #include "studies/stress/stress_axes.h"
 
@@ -21,7 +22,7 @@ double error_of(const std::string& axis,
                 const std::string& method,
                 const std::vector<std::string>& settings = {},
                 const CaseSize& size = kSize) {
-    const auto configs = harness::make_configs(method == "sampled" ? "ids" : method, settings);
+    const auto configs = methods::make_configs(method == "sampled" ? "ids" : method, settings);
     score::CurveCount all;
     const Axis& along = find_stress_axis(axis);
     for (const Case& one : along.cases(value, size)) {

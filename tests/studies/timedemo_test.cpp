@@ -1,3 +1,4 @@
+#include "methods/method_configs.h"
 #include "studies/timedemo.h"
 
 #include <gmock/gmock.h>
@@ -64,7 +65,7 @@ TEST(Timedemo, DrawsEveryFrameOfEveryPassAlongThreePaths) {
     const harness::SceneViews gear =
         harness::make_scene_views(harness::load_scene("gear"), request);
     TimedemoOptions options;
-    options.configs = harness::make_configs("mote4,decaudin", {});
+    options.configs = methods::make_configs("mote4,decaudin", {});
     options.frames = 3;
     options.cached_passes = 1;
     const auto frames = run_timedemo(gear, options);
@@ -102,7 +103,7 @@ TEST(Timedemo, SaysWhoseLightsItDrawsUnder) {
     options.lamps = shade::LampSource::own_or_studio;
     gear.scene.lights.clear();
     EXPECT_THAT(timedemo_heading(gear, options), HasSubstr(", studio lights;"));
-    options.configs = harness::make_configs("mote4", {});
+    options.configs = methods::make_configs("mote4", {});
     options.lamps = shade::LampSource::own;
     EXPECT_THROW((void)run_timedemo(gear, options), core::Error);
 }
@@ -113,7 +114,7 @@ TEST(Timedemo, AnEyeInsideLooksAbout) {
     request.height_px = 48;
     request.cameras.push_back({{0, 0, 0.01}, glm::dvec3(1, 0, 0), {0, 1, 0}, std::nullopt});
     TimedemoOptions options;
-    options.configs = harness::make_configs("mote4", {});
+    options.configs = methods::make_configs("mote4", {});
     options.frames = 2;
     options.cached_passes = 0;
     std::set<std::string> paths;
@@ -143,7 +144,7 @@ TEST(Timedemo, AMovingCameraOfTheModelGoesItsOwnWayFirst) {
     request.height_px = 48;
     request.file_cameras = true;
     TimedemoOptions options;
-    options.configs = harness::make_configs("mote4", {});
+    options.configs = methods::make_configs("mote4", {});
     options.frames = 3;
     options.cached_passes = 1;
     std::vector<std::string> paths;

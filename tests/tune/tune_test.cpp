@@ -1,3 +1,4 @@
+#include "methods/method_configs.h"
 #include "tune/tune.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +37,7 @@ class Tune : public testing::Test {
     }
     TuneOptions options(const std::string& method, const std::string& parameters) const {
         TuneOptions made;
-        made.config = harness::make_configs(method, {}).front();
+        made.config = methods::make_configs(method, {}).front();
         made.parameters = parameters;
         made.plan = {.evaluations = 24, .seed = 7};
         made.out = out_;
@@ -65,7 +66,7 @@ double error_of(const std::vector<score::CurveCount>& counts) {
 }
 
 /// The same by the harness's own way to draw and score a cell.
-double plain_error(const harness::MethodConfig& config,
+double plain_error(const method::MethodConfig& config,
                    const std::vector<harness::SceneViews>& scenes) {
     score::CurveCount sum;
     for (const harness::SceneViews& scene_views : scenes) {
@@ -92,7 +93,7 @@ TEST_F(Tune, FindsNothingWorseThanTheDefaultsAndSaysWhatTheHarnessSays) {
     EXPECT_EQ(result.train_views, 6U);
     EXPECT_EQ(result.heldout_views, 3U);
     for (const TunedSettings* each : {&result.defaults, &result.tuned}) {
-        harness::MethodConfig config = with.config;
+        method::MethodConfig config = with.config;
         config.settings = each->settings;
         const double train = plain_error(config, scenes({"cube", "layers"}));
         EXPECT_EQ(each->found.error, train) << each->name;
@@ -117,7 +118,7 @@ TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
     EXPECT_EQ(preset.method, "decaudin");
     EXPECT_EQ(preset.settings, result.tuned.settings);
     EXPECT_EQ(preset.command, "inkbench tune decaudin");
-    EXPECT_EQ(harness::preset_config(out_ / "decaudin_found.toml").info->complete({}).at("join"),
+    EXPECT_EQ(methods::preset_config(out_ / "decaudin_found.toml").info->complete({}).at("join"),
               result.tuned.settings.at("join"));
 }
 
@@ -151,7 +152,7 @@ TEST_F(Tune, AveragePrecisionIsTunedWithoutAThresholdAndGetsTheBestOne) {
     const TuneResult result = tune(scenes({"cube"}), with);
     EXPECT_EQ(result.random_steps.size(), 0U);
     ASSERT_EQ(result.tuned.settings.count("threshold"), 1U);
-    harness::MethodConfig config = with.config;
+    method::MethodConfig config = with.config;
     config.settings = result.tuned.settings;
     const double at_best = plain_error(config, scenes({"cube"}));
     for (const char* threshold : {"4", "8", "16", "32"}) {
@@ -218,14 +219,14 @@ TEST_F(Tune, BadWishesAreRefused) {
     EXPECT_THROW((void)tune(scenes({"gem"}), options("mote4", "")), core::Error)
         << "no training scene";
     TuneOptions fixed = options("mote4", "threshold");
-    fixed.config = harness::make_configs("mote4", {"threshold=9"}).front();
+    fixed.config = methods::make_configs("mote4", {"threshold=9"}).front();
     EXPECT_THROW((void)tune(scenes({"cube"}), fixed), core::Error) << "fixed and tuned";
 }
 
 TEST(TuneBenchTest, KeptImagesScoreAsFreshOnes) {
     const auto scenes = harness::load_scenes({"cube", "layers"}, small());
     TuneBench bench(scenes, {}, 2);
-    harness::MethodConfig config = harness::make_configs("mote4", {}).front();
+    method::MethodConfig config = methods::make_configs("mote4", {}).front();
     for (const char* range : {"63", "40", "63", "20", "40"}) {
         for (const char* threshold : {"6", "30"}) {
             config.settings = {{"range_nz", range}, {"threshold", threshold}};

@@ -14,6 +14,7 @@
 #include "draw/exr_layers.h"
 #include "draw/image_output.h"
 #include "harness/skip_switches.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -34,15 +35,15 @@ struct DrawArgs {
 
 constexpr const char* kDrawnMethod = "mote4";  // unless one is named
 
-harness::MethodConfig config_of(const DrawArgs& args, const std::vector<std::string>& presets) {
+method::MethodConfig config_of(const DrawArgs& args, const std::vector<std::string>& presets) {
     if (presets.empty()) {
-        return harness::make_configs(one_method(args.methods, kDrawnMethod), args.settings).front();
+        return methods::make_configs(one_method(args.methods, kDrawnMethod), args.settings).front();
     }
     if (presets.size() > 1 || !args.methods.empty()) {
         throw core::Error("--preset", "an image is of one method", "one file, no --method");
     }
-    std::vector<harness::MethodConfig> configs = {harness::preset_config(presets.front())};
-    harness::apply_settings(args.settings, configs);
+    std::vector<method::MethodConfig> configs = {methods::preset_config(presets.front())};
+    methods::apply_settings(args.settings, configs);
     return configs.front();
 }
 
@@ -63,7 +64,7 @@ void refuse_no_lines(const DrawArgs& args) {
 /// One of the method's own images instead of a drawing.
 void write_layer(const DrawArgs& args,
                  const harness::SceneViews& scene_views,
-                 const harness::MethodConfig& config,
+                 const method::MethodConfig& config,
                  const draw::DrawOptions& options) {
     const method::Layer layer = draw::draw_layer(scene_views, config, args.layer, options);
     draw::write_drawing(layer.rgb, args.file);
@@ -74,7 +75,7 @@ void write_layer(const DrawArgs& args,
 void run_draw(const DrawArgs& args) {
     const experiment::Experiment asked = args.options.read();
     draw::DrawOptions options = drawing_looks(args.looks);
-    const harness::MethodConfig config = config_of(args, asked.presets);
+    const method::MethodConfig config = config_of(args, asked.presets);
     options.skips = harness::without_skips({}, asked.skips_off);
     options.threads = asked.threads.front();
     check_output_path(args.file, {".png", ".exr"});

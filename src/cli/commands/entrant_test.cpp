@@ -58,7 +58,7 @@ std::string doubt_of(const edge::EdgeImage& image,
 }
 
 /// Draws a view and prints a line about it; false if something is wrong.
-bool test_view(const harness::MethodConfig& config, const harness::SceneViews& scene_views) {
+bool test_view(const method::MethodConfig& config, const harness::SceneViews& scene_views) {
     const std::string place = scene_views.scene.name + " " + scene_views.views.front().camera.name;
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
     methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene_views.scene));
@@ -70,7 +70,7 @@ bool test_view(const harness::MethodConfig& config, const harness::SceneViews& s
     }
     truth::SceneModel model(scene_views.scene, {});
     const harness::ViewTruth truth = harness::trace_view(model, scene_views.views.front(), {});
-    const int threshold = harness::threshold_of(config);
+    const int threshold = method::threshold_of(config);
     const double f =
         score::score(images.front(), truth.scoring, harness::score_options(threshold)).f();
     const std::string doubt = doubt_of(images.front(), truth.scoring, threshold, f);
@@ -90,8 +90,7 @@ void run_entrant_test(const EntrantTestArgs& args) {
     const entrants::Entrant entrant = entrants::parse_entrant("entrant=" + args.program);
     if (!entrant.is_program)
         throw core::Error("inkbench entrant-test", args.program + " is a folder", "a program");
-    const harness::MethodConfig config =
-        entrants::entrant_config(entrant, {.wall_s = args.seconds});
+    const method::MethodConfig config = entrants::entrant_config(entrant, {.wall_s = args.seconds});
     harness::ViewRequest request;
     const experiment::ImageSize size = experiment::parse_image_size(args.size, "--size");
     request.width_px = size.width_px;

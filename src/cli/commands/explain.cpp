@@ -12,6 +12,7 @@
 #include "cli/place.h"
 #include "core/error.h"
 #include "draw/explain.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -67,13 +68,13 @@ Json json_of(const draw::Explanation& explanation) {
 }
 
 void run_explain(const ExplainArgs& args) {
-    auto configs = harness::make_configs(method_list(args.methods), args.settings);
+    auto configs = methods::make_configs(method_list(args.methods), args.settings);
     if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
         throw core::Error("--crease",
                           fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
                           "0..180");
     }
-    harness::follow_crease(args.crease_deg, configs);
+    methods::follow_crease(args.crease_deg, configs);
     const harness::ViewRequest request = view_request(args.views);
     const std::string scene = one_scene(args.scene, "explain");
     const harness::SceneViews scene_views =

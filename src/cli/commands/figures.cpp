@@ -20,6 +20,7 @@
 #include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "harness/cell.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -190,7 +191,7 @@ void show_runs(const FiguresArgs& args,
 
 experiment::Experiment experiment_of(const FiguresArgs& args) {
     experiment::Experiment experiment = args.read();
-    if (experiment.scenes.empty()) experiment.scenes = harness::split_list(kUsualScenes);
+    if (experiment.scenes.empty()) experiment.scenes = methods::split_list(kUsualScenes);
     if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     experiment.own_sweep_views = args.has_sweep ? 1 : 0;
     return experiment;

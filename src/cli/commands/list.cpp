@@ -19,6 +19,7 @@
 #include "experiment/dictionary.h"
 #include "harness/tables/methods_table.h"
 #include "harness/tables/row_table.h"
+#include "methods/method_configs.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "shade/shading.h"
@@ -196,7 +197,7 @@ void check_topic(bool is_asked, const char* flag, const std::string& what, const
 std::string list_text(const ListArgs& args) {
     check_topic(args.is_csv, "--csv", args.what, "methods");
     check_topic(args.is_markdown, "--markdown", args.what, "columns");
-    if (args.is_csv) return harness::methods_csv(harness::make_configs("", {}));
+    if (args.is_csv) return harness::methods_csv(methods::make_configs("", {}));
     if (args.is_markdown) return experiment::dictionary_markdown();
     if (!args.what.empty()) check_known(args.what);
     if (args.is_json) return listing_json(args.what.empty() ? "all" : args.what).dump(2) + "\n";

@@ -6,7 +6,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "experiment/option_table.h"
-#include "harness/method_configs.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -33,7 +33,7 @@ experiment::Experiment experiment_of(const RunArgs& args) {
         };
     if (!args.size.empty()) set("grid.sizes", "--size", {args.size});
     set("grid.scenes", "--scenes", scene_names(args.scenes));
-    set("grid.methods", "--methods", harness::split_list(method_list(args.methods)));
+    set("grid.methods", "--methods", methods::split_list(method_list(args.methods)));
     if (!args.views.empty()) set("grid.views", "--views", {args.views});
     return experiment;
 }

@@ -16,6 +16,7 @@
 #include "core/interrupt.h"
 #include "harness/out_folder.h"
 #include "harness/skip_switches.h"
+#include "methods/method_configs.h"
 #include "studies/timedemo.h"
 
 namespace ink::cli {
@@ -59,7 +60,7 @@ nlohmann::ordered_json rates_json(const harness::SceneViews& scene_views,
 void run_timedemo(const TimedemoArgs& args) {
     const experiment::Experiment asked = args.asked.read();
     studies::TimedemoOptions options;
-    options.configs = harness::make_configs(method_list(args.methods), args.settings);
+    options.configs = methods::make_configs(method_list(args.methods), args.settings);
     options.threads = asked.threads.front();
     options.skips = harness::without_skips({}, asked.skips_off);
     options.seed = asked.seed;

@@ -18,6 +18,7 @@
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/run_data.h"
+#include "methods/method_configs.h"
 #include "methods/presets.h"
 #include "report/run_page.h"
 #include "tune/tune.h"
@@ -88,9 +89,9 @@ void check_choice(const char* option,
         option, fmt::format("there is no '{}'", given), core::known_names(names, given));
 }
 
-harness::MethodConfig with_crease(const harness::MethodConfig& config, double crease_deg) {
-    std::vector<harness::MethodConfig> configs = {config};
-    harness::follow_crease(crease_deg, configs);
+method::MethodConfig with_crease(const method::MethodConfig& config, double crease_deg) {
+    std::vector<method::MethodConfig> configs = {config};
+    methods::follow_crease(crease_deg, configs);
     return configs.front();
 }
 
@@ -98,7 +99,7 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     const experiment::Experiment asked = args.options.read();
     tune::TuneOptions options;
     const std::string method = method_of(args);
-    options.config = harness::make_configs(method, args.settings).front();
+    options.config = methods::make_configs(method, args.settings).front();
     options.parameters = args.parameters;
     check_choice("--objective", args.objective, {"error", "scenes", "ap"});
     if (args.objective == "scenes") options.objective = tune::TuneObjective::scenes;

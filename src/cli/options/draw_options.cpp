@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/parse_number.h"
 #include "experiment/option_table.h"
-#include "harness/method_configs.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -20,7 +20,7 @@ std::optional<glm::u8vec3> parse_color(const std::string& text, const char* opti
     const bool is_hex = text.size() == 7 && text[0] == '#';
     const std::vector<std::string> parts =
         is_hex ? std::vector{text.substr(1, 2), text.substr(3, 2), text.substr(5, 2)}
-               : harness::split_list(text);
+               : methods::split_list(text);
     glm::u8vec3 color{0};
     bool is_color = parts.size() == 3;
     for (int c = 0; is_color && c < 3; ++c) {

@@ -14,7 +14,7 @@
 #include "core/interrupt.h"
 #include "core/parse_number.h"
 #include "core/progress.h"
-#include "harness/method_configs.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kFov_deg = 40;  // of a camera that is set by hand
 constexpr double kMostMargin = 0.45;
 
 glm::dvec3 parse_point(const std::string& text, const std::string& option) {
-    const std::vector<std::string> parts = harness::split_list(text);
+    const std::vector<std::string> parts = methods::split_list(text);
     glm::dvec3 point{0};
     bool is_point = parts.size() == 3;
     for (int i = 0; is_point && i < 3; ++i) {

@@ -17,7 +17,7 @@
 #include "experiment/experiment_plan.h"
 #include "experiment/experiment_run.h"
 #include "experiment/run_record.h"
-#include "harness/method_configs.h"
+#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -152,8 +152,8 @@ MeasureArgs::MeasureArgs(const std::string& name, const std::string& out) {
 experiment::Experiment MeasureArgs::read() const {
     experiment::Experiment experiment = options.read();
     const std::string names = method_list(methods);
-    for (const harness::MethodConfig& config :
-         harness::make_configs(names, settings, experiment.presets))
+    for (const method::MethodConfig& config :
+         methods::make_configs(names, settings, experiment.presets))
         if (!names.empty() && !config.owned) experiment.methods.push_back(config.info->name);
     experiment.settings = settings;
     experiment.view_request = view_request(views);

@@ -72,7 +72,7 @@ std::string tunables_of(const method::MethodInfo& method) {
     return fmt::format("{}", fmt::join(texts, ";"));
 }
 
-MethodLine line_of(const MethodConfig& config) {
+MethodLine line_of(const method::MethodConfig& config) {
     const method::MethodInfo& info = *config.info;
     return {.name = info.name,
             .role = config.is_outside ? "entrant" : "method",
@@ -91,12 +91,12 @@ const TableInfo& methods_table() {
     return table().info();
 }
 
-std::string methods_csv(const std::vector<MethodConfig>& configs) {
+std::string methods_csv(const std::vector<method::MethodConfig>& configs) {
     std::vector<MethodLine> lines = {{"none", "floor"},
                                      {"sampled", "one_sample"},
                                      {"exact_corner", "one_sample"},
                                      {"oracle", "exact"}};
-    for (const MethodConfig& config : configs)
+    for (const method::MethodConfig& config : configs)
         lines.push_back(line_of(config));
     return table().file(lines);
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/method_configs.h"
 #include "harness/tables/table.h"
+#include "method/method_config.h"
 
 namespace ink::harness {
 
@@ -19,6 +19,6 @@ namespace ink::harness {
 /// "name:a|b|c" for a choice or a flag; `params` is every parameter as rows.csv has it. Empty is
 /// what nobody knows: the bytes of a method that plans by the scene, all but the role of a
 /// baseline.
-[[nodiscard]] std::string methods_csv(const std::vector<MethodConfig>& configs);
+[[nodiscard]] std::string methods_csv(const std::vector<method::MethodConfig>& configs);
 
 }  // namespace ink::harness

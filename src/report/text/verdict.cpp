@@ -9,7 +9,6 @@
 
 #include "core/text_table.h"
 #include "draw/crosscheck_report.h"
-#include "harness/method_configs.h"
 #include "summary/paired_differences.h"
 #include "summary/summary.h"
 
@@ -169,7 +168,7 @@ std::string sample_warning(const char* baseline,
     std::string better;
     for (const summary::MethodSummary& s : summaries) {
         const bool is_better = s.f_2px && *s.f_2px > *exact->f_2px;
-        if (s.is_baseline || !is_better || !harness::takes_one_sample(s.method)) continue;
+        if (s.is_baseline || !is_better || !summary::takes_one_sample(s.method)) continue;
         if (std::string_view(baseline_of(s.method, rows)) != baseline) continue;
         better += fmt::format(
             "{}{} (F {})", better.empty() ? "" : ", ", s.method, core::format_share(s.f_2px));

@@ -125,7 +125,7 @@ std::int64_t count_non_finite(const harness::Row& row) {
 }
 
 std::int64_t count_overflow(method::Method& method,
-                            const harness::MethodConfig& config,
+                            const method::MethodConfig& config,
                             const scene::Scene& scene,
                             const method::Frame& frame) {
     const std::optional<method::LinearCode> code = method.code();

@@ -28,7 +28,7 @@ namespace ink::studies {
 /// 0 for methods without packed codes, and for codes whose ranges exceed their bits: those overflow
 /// by intent.
 [[nodiscard]] std::int64_t count_overflow(method::Method& method,
-                                          const harness::MethodConfig& config,
+                                          const method::MethodConfig& config,
                                           const scene::Scene& scene,
                                           const method::Frame& frame);
 

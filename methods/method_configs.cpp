@@ -1,4 +1,4 @@
-#include "harness/method_configs.h"
+#include "methods/method_configs.h"
 
 #include <fmt/format.h>
 
@@ -12,26 +12,26 @@
 #include "methods/method_file.h"
 #include "methods/presets.h"
 
-namespace ink::harness {
+namespace ink::methods {
 namespace {
 
 constexpr double kUsualCrease_deg = 40;  ///< of the truth, and of methods that mean the same
 
-void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
+void apply_setting(const method::Setting& setting, std::vector<method::MethodConfig>& configs) {
     std::set<std::string> known;
     bool is_used = false;
-    for (MethodConfig& config : configs) {
+    for (method::MethodConfig& config : configs) {
         if (!setting.method.empty() && setting.method != config.info->name) continue;
         for (const core::Param& param : config.info->params)
             known.insert(param.name);
-        if (param_of(setting, config) == nullptr) continue;
+        if (method::param_of(setting, config) == nullptr) continue;
         config.settings[setting.key] = setting.value;
         is_used = true;
     }
     if (is_used) return;
     if (!setting.method.empty() && known.empty()) {
         std::vector<std::string> names;
-        for (const MethodConfig& config : configs)
+        for (const method::MethodConfig& config : configs)
             names.push_back(config.info->name);
         throw core::Error("--set " + setting.text,
                           fmt::format("method '{}' does not take part", setting.method),
@@ -43,32 +43,6 @@ void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
 }
 
 }  // namespace
-
-MethodConfig with(MethodConfig config, const core::ParamValues& settings) {
-    for (const auto& [name, value] : settings)
-        config.settings[name] = value;
-    return config;
-}
-
-Setting parse_setting(const std::string& text) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw core::Error(
-            "--set", fmt::format("'{}' is no setting", text), "key=value or method.key=value");
-    }
-    Setting setting{"", text.substr(0, equals), text.substr(equals + 1), text};
-    const auto dot = setting.key.find('.');
-    if (dot != std::string::npos) {
-        setting.method = setting.key.substr(0, dot);
-        setting.key = setting.key.substr(dot + 1);
-    }
-    return setting;
-}
-
-const core::Param* param_of(const Setting& setting, const MethodConfig& config) {
-    if (!setting.method.empty() && setting.method != config.info->name) return nullptr;
-    return core::find_named(config.info->params, setting.key);
-}
 
 std::vector<std::string> split_list(const std::string& text) {
     std::vector<std::string> parts;
@@ -85,20 +59,17 @@ std::vector<std::string> split_list(const std::string& text) {
     return parts;
 }
 
-int threshold_of(const MethodConfig& config) {
-    return std::stoi(config.info->complete(config.settings).at("threshold"));
-}
-
-void apply_settings(const std::vector<std::string>& settings, std::vector<MethodConfig>& configs) {
+void apply_settings(const std::vector<std::string>& settings,
+                    std::vector<method::MethodConfig>& configs) {
     for (const std::string& text : settings)
-        apply_setting(parse_setting(text), configs);
+        apply_setting(method::parse_setting(text), configs);
     // Read once here, so that a bad value ends the program before a scene is loaded.
-    for (const MethodConfig& config : configs)
+    for (const method::MethodConfig& config : configs)
         (void)config.info->complete(config.settings);
 }
 
-void follow_crease(double crease_deg, std::vector<MethodConfig>& configs) {
-    for (MethodConfig& config : configs) {
+void follow_crease(double crease_deg, std::vector<method::MethodConfig>& configs) {
+    for (method::MethodConfig& config : configs) {
         for (const core::Param& param : config.info->params) {
             if (param.name != "crease_deg" || param.default_value != kUsualCrease_deg) continue;
             if (crease_deg == param.default_value) continue;
@@ -107,40 +78,40 @@ void follow_crease(double crease_deg, std::vector<MethodConfig>& configs) {
     }
 }
 
-MethodConfig preset_config(const std::filesystem::path& file) {
+method::MethodConfig preset_config(const std::filesystem::path& file) {
     const auto text = core::read_whole_file(file);
     if (!text) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
-    const std::vector<method::MethodInfo>& bases = methods::registry();
-    const methods::Preset preset = methods::parse_preset(*text, file.string(), bases);
+    const std::vector<method::MethodInfo>& bases = registry();
+    const Preset preset = parse_preset(*text, file.string(), bases);
     // A registered method may itself be a preset: `inkbench tune` gives that name, too.
-    const auto shipped = methods::shipped_presets();
+    const auto shipped = shipped_presets();
     if (core::find_named(bases, preset.name) && !core::find_named(shipped, preset.name)) {
         throw core::Error(file.string(),
                           fmt::format("there is a method '{}' already", preset.name),
                           "a name of its own");
     }
-    auto info = std::make_shared<const method::MethodInfo>(methods::preset_method(preset, bases));
+    auto info = std::make_shared<const method::MethodInfo>(preset_method(preset, bases));
     return {info.get(), {}, info};
 }
 
-std::vector<MethodConfig> make_configs(const std::string& methods,
-                                       const std::vector<std::string>& settings,
-                                       const std::vector<std::string>& presets) {
-    std::vector<MethodConfig> configs;
+std::vector<method::MethodConfig> make_configs(const std::string& methods,
+                                               const std::vector<std::string>& settings,
+                                               const std::vector<std::string>& presets) {
+    std::vector<method::MethodConfig> configs;
     std::set<std::string> names;
     for (const std::string& name : split_list(methods)) {
         if (!names.insert(name).second) {
             throw core::Error("--methods", fmt::format("'{}' is named twice", name), "each once");
         }
-        configs.push_back({&methods::find_method(name), {}});
+        configs.push_back({&find_method(name), {}});
     }
     if (configs.empty()) {
-        for (const method::MethodInfo& info : methods::registry())
+        for (const method::MethodInfo& info : registry())
             configs.push_back({&info, {}});
     }
     for (const std::string& file : presets) {
-        MethodConfig config = preset_config(file);
-        const auto is_namesake = [&](const MethodConfig& other) {
+        method::MethodConfig config = preset_config(file);
+        const auto is_namesake = [&](const method::MethodConfig& other) {
             return !other.owned && other.info->name == config.info->name;
         };
         if (methods.empty()) std::erase_if(configs, is_namesake);
@@ -155,10 +126,4 @@ std::vector<MethodConfig> make_configs(const std::string& methods,
     return configs;
 }
 
-bool takes_one_sample(const std::string& method) {
-    const method::MethodInfo* info = core::find_named(methods::registry(), method);
-    return info != nullptr && info->family != method::Family::edges_and_hulls &&
-           info->family != method::Family::other;
-}
-
-}  // namespace ink::harness
+}  // namespace ink::methods
