@@ -8,19 +8,10 @@ bool lanes_can_draw(const PassFormat& format) {
         const bool is_integer = format.store != Store::none && format.store != Store::f32;
         return is_integer && format.interpolants == 0;
     }
-    switch (format.store) {
-        case Store::none:
-            return format.interpolants == 0;
-        case Store::u8:
-            return format.interpolants == 1 || format.interpolants == 2;
-        case Store::u16:
-            return format.interpolants == 1;
-        case Store::f32:
-            return format.interpolants == 4;
-        case Store::u32:
-            break;
-    }
-    return false;
+    const int k = format.interpolants;
+    return (format.store == Store::none && k == 0) ||
+           (format.store == Store::u8 && (k == 1 || k == 2)) ||
+           (format.store == Store::u16 && k == 1) || (format.store == Store::f32 && k == 4);
 }
 
 bool lanes_can_hold(const PassFormat& format, float least, float greatest) {

@@ -50,18 +50,9 @@ ClipPolygon clip_at(const ClipPolygon& polygon, int plane, double near) {
 }  // namespace
 
 double inside_by(int plane, const glm::dvec3& p_clip, double near, double band_px) {
-    switch (plane) {
-        case 0:
-            return p_clip.z - near;
-        case 1:
-            return band_px * p_clip.z + p_clip.x;
-        case 2:
-            return band_px * p_clip.z - p_clip.x;
-        case 3:
-            return band_px * p_clip.z + p_clip.y;
-        default:
-            return band_px * p_clip.z - p_clip.y;
-    }
+    if (plane == 0) return p_clip.z - near;
+    const double along = plane <= 2 ? p_clip.x : p_clip.y;
+    return band_px * p_clip.z + (plane % 2 == 1 ? along : -along);
 }
 
 ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle, double near) {
