@@ -124,38 +124,17 @@ std::optional<Light3ds> parse_light(std::span<const std::byte> body, const std::
     bool thins_out = false;
     body = body.subspan(kPlace);
     while (const auto chunk = take_chunk(body)) {
-        switch (chunk->id) {
-            case kOff:
-                return std::nullopt;
-            case kSpot:
-                light.kind = LightKind::spot;
-                break;
-            case kThinsOut:
-                thins_out = true;
-                break;
-            case kExcluded:
-                found.has_excluded = true;
-                break;
-            case kInnerRange:
-                light.inner_range = number_in(chunk->body);
-                break;
-            case kOuterRange:
-                light.range = number_in(chunk->body);
-                break;
-            case kMultiplier:
-                found.multiplier = number_in(chunk->body);
-                break;
-            case kColor:
-            case kLinearColor:
-                light.color = vector_in(chunk->body);
-                break;
-            case kColorBytes:
-            case kLinearColorBytes:
-                light.color = vector_in<std::uint8_t>(chunk->body) / 255.0F;
-                break;
-            default:
-                break;
-        }
+        const auto [id, content] = *chunk;
+        if (id == kOff) return std::nullopt;
+        if (id == kSpot) light.kind = LightKind::spot;
+        if (id == kThinsOut) thins_out = true;
+        if (id == kExcluded) found.has_excluded = true;
+        if (id == kInnerRange) light.inner_range = number_in(content);
+        if (id == kOuterRange) light.range = number_in(content);
+        if (id == kMultiplier) found.multiplier = number_in(content);
+        if (id == kColor || id == kLinearColor) light.color = vector_in(content);
+        if (id == kColorBytes || id == kLinearColorBytes)
+            light.color = vector_in<std::uint8_t>(content) / 255.0F;
     }
     light.color *= found.multiplier;
     if (!thins_out) light.inner_range = light.range = 0;

@@ -27,18 +27,10 @@ namespace ink::import {
 namespace {
 
 LightKind kind_of(aiLightSourceType type) {
-    switch (type) {
-        case aiLightSource_DIRECTIONAL:
-            return LightKind::distant;
-        case aiLightSource_SPOT:
-            return LightKind::spot;
-        case aiLightSource_AREA:
-            return LightKind::area;
-        case aiLightSource_AMBIENT:
-            return LightKind::ambient;
-        default:
-            return LightKind::point;
-    }
+    if (type == aiLightSource_DIRECTIONAL) return LightKind::distant;
+    if (type == aiLightSource_SPOT) return LightKind::spot;
+    if (type == aiLightSource_AREA) return LightKind::area;
+    return type == aiLightSource_AMBIENT ? LightKind::ambient : LightKind::point;
 }
 
 /// The range at which a lamp of ours has lost half of its light where the file's has; 0 for one
@@ -84,9 +76,10 @@ std::vector<ImportedLight> convert_lights(const aiScene& scene,
 /// How an FBX file's coordinates are meant; those of other files are y up.
 FbxAxes axes_of(const aiScene& scene) {
     FbxAxes axes;
+    if (scene.mMetaData == nullptr) return axes;
     const auto read = [&](const char* key, int& value) {
         std::int32_t number = 0;
-        if (scene.mMetaData != nullptr && scene.mMetaData->Get(key, number)) value = number;
+        if (scene.mMetaData->Get(key, number)) value = number;
     };
     read("UpAxis", axes.up.number);
     read("UpAxisSign", axes.up.sign);
@@ -96,7 +89,6 @@ FbxAxes axes_of(const aiScene& scene) {
     read("CoordAxisSign", axes.right.sign);
     float unit = 1;
     double fine_unit = 1;
-    if (scene.mMetaData == nullptr) return axes;
     if (scene.mMetaData->Get("UnitScaleFactor", unit)) axes.cm_per_unit = unit;
     if (scene.mMetaData->Get("UnitScaleFactor", fine_unit)) axes.cm_per_unit = fine_unit;
     return axes;
