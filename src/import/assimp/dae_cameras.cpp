@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <system_error>
+#include <utility>
 
 namespace ink::import {
 namespace {
@@ -88,20 +89,12 @@ DaeCamera read_optics(XmlTags& tags) {
     return camera;
 }
 
-/// A node's camera, by the camera's id.
-struct Use {
-    std::string node;
-    std::string camera;
-};
+}  // namespace
 
-struct Found {
-    std::map<std::string, DaeCamera> cameras;
-    std::vector<Use> uses;
-};
-
-Found find_cameras(std::string_view file) {
-    Found found;
-    std::vector<std::string> nodes;  // those that are open
+std::vector<DaeCamera> read_dae_cameras(std::string_view file) {
+    std::map<std::string, DaeCamera> by_id;
+    std::vector<std::pair<std::string, std::string>> uses;  // nodes and their cameras' ids
+    std::vector<std::string> nodes;                         // those that are open
     for (XmlTags tags(file); tags.next();) {
         const std::string_view name = tags.name();
         if (name == "node" && tags.is_end()) {
@@ -111,34 +104,27 @@ Found find_cameras(std::string_view file) {
             nodes.push_back(id.empty() ? tags.attribute("sid") : id);
         } else if (name == "camera" && !tags.is_end() && !tags.is_closed()) {
             const std::string id = tags.attribute("id");
-            found.cameras[id] = read_optics(tags);
+            by_id[id] = read_optics(tags);
         } else if (name == "instance_camera" && !tags.is_end() && !nodes.empty()) {
             const std::string url = tags.attribute("url");
-            found.uses.push_back({nodes.back(), url.starts_with('#') ? url.substr(1) : url});
+            uses.emplace_back(nodes.back(), url.starts_with('#') ? url.substr(1) : url);
         }
     }
-    return found;
+    std::vector<DaeCamera> cameras;
+    for (const auto& [node, id] : uses) {
+        const auto camera = by_id.find(id);
+        if (camera == by_id.end()) continue;
+        cameras.push_back(camera->second);
+        cameras.back().node = node;
+    }
+    return cameras;
 }
-
-}  // namespace
 
 std::optional<double> DaeCamera::fov_y_rad() const {
     constexpr double kRadPerDeg = std::numbers::pi / 180;
     if (yfov_deg) return *yfov_deg * kRadPerDeg;
     if (!xfov_deg || !aspect || !(*aspect > 0)) return std::nullopt;
     return 2 * std::atan(std::tan(*xfov_deg / 2 * kRadPerDeg) / *aspect);
-}
-
-std::vector<DaeCamera> read_dae_cameras(std::string_view file) {
-    const Found found = find_cameras(file);
-    std::vector<DaeCamera> cameras;
-    for (const Use& use : found.uses) {
-        const auto camera = found.cameras.find(use.camera);
-        if (camera == found.cameras.end()) continue;
-        cameras.push_back(camera->second);
-        cameras.back().node = use.node;
-    }
-    return cameras;
 }
 
 }  // namespace ink::import
