@@ -42,34 +42,28 @@ void add(PassStats& to, const PassStats& from) {
 }
 
 /// One thread's share of the tiles: it takes the next one until none is left.
-class TileWorker {
-  public:
-    TileWorker(const FillJob& job, const TileGrid& grid, const Bins& bins)
-        : job_(job), grid_(grid), bins_(bins), fill_(fill_function(job.format)) {}
-
-    void run(std::atomic<int>& next_tile, TileSink& sink, PassStats& stats) const {
-        TileBuffer buffer(job_.format, job_.input, grid_);
-        for (int tile = next_tile++; tile < grid_.count(); tile = next_tile++) {
-            buffer.start(tile);
-            if (!bins_.of(tile).empty()) buffer.touch();
-            const FillCounts counts = fill_(job_, bins_.of(tile), buffer);
-            const bool is_empty = counts.kept == 0;
-            buffer.finish();
-            if (!is_empty) buffer.extend_frame();
-            sink.finish(buffer.view(is_empty));
-            ++stats.tiles;
-            stats.tiles_empty += is_empty ? 1 : 0;
-            stats.samples_covered += counts.covered;
-            stats.samples_kept += counts.kept;
-        }
+void fill_tiles(const FillJob& job,
+                const TileGrid& grid,
+                const Bins& bins,
+                std::atomic<int>& next_tile,
+                TileSink& sink,
+                PassStats& stats) {
+    const FillTile fill = fill_function(job.format);
+    TileBuffer buffer(job.format, job.input, grid);
+    for (int tile = next_tile++; tile < grid.count(); tile = next_tile++) {
+        buffer.start(tile);
+        if (!bins.of(tile).empty()) buffer.touch();
+        const FillCounts counts = fill(job, bins.of(tile), buffer);
+        const bool is_empty = counts.kept == 0;
+        buffer.finish();
+        if (!is_empty) buffer.extend_frame();
+        sink.finish(buffer.view(is_empty));
+        ++stats.tiles;
+        stats.tiles_empty += is_empty ? 1 : 0;
+        stats.samples_covered += counts.covered;
+        stats.samples_kept += counts.kept;
     }
-
-  private:
-    const FillJob& job_;
-    const TileGrid& grid_;
-    const Bins& bins_;
-    FillTile fill_;
-};
+}
 
 }  // namespace
 
@@ -98,11 +92,11 @@ PassStats draw_pass(const PassFormat& format,
     stats.triangles_binned = bins.size();
 
     const FillJob job{format, input, batches};
-    const TileWorker worker(job, grid, bins);
     std::atomic<int> next_tile = 0;
     std::vector<PassStats> shares(static_cast<std::size_t>(std::clamp(threads, 1, grid.count())));
-    core::parallel_for(
-        shares.size(), threads, [&](std::size_t i) { worker.run(next_tile, sink, shares[i]); });
+    core::parallel_for(shares.size(), threads, [&](std::size_t i) {
+        fill_tiles(job, grid, bins, next_tile, sink, shares[i]);
+    });
     for (const PassStats& share : shares)
         add(stats, share);
     return stats;
