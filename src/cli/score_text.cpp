@@ -1,6 +1,6 @@
 #include "cli/score_text.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -30,7 +30,12 @@ Json counts_json(const score::Score& s) {
         {"f", or_null(s.f_of_truth())},
         {"precision", or_null(s.precision())},
         {"recall", or_null(s.recall())},
-        // Scripts rely on these keys, also where columns have other names.
+        {"unmatched_duplicates", s.unmatched_duplicates},
+        {"false_positives", s.false_positives},
+        {"unmatched_truth", s.unmatched_truth},
+        {"false_negatives", s.false_negatives},
+        {"mean_width_px", or_null(mean_width(s))},
+        // Aliases for one release: the names of before.
         {"surplus", s.unmatched_duplicates},
         {"off_line", s.false_positives},
         {"lost", s.unmatched_truth},
@@ -58,16 +63,17 @@ std::string score_json(const draw::FilesScore& scored) {
     result["band"] = scored.options.band_px;
     result["ignore"] =
         scored.options.ignore_label ? Json(*scored.options.ignore_label) : Json(nullptr);
+    result["notes"] = scored.notes;
+    result["doubts"] = scored.doubts;
     return result.dump(2) + "\n";
 }
 
 std::string score_table(const std::filesystem::path& prediction,
-                        const std::filesystem::path& truth,
+                        const std::string& truth_name,
                         const draw::FilesScore& scored) {
     const score::Score& s = scored.score;
     const score::ScoreOptions& options = scored.options;
-    std::string text =
-        fmt::format("{} against {}\n", prediction.filename().string(), truth.filename().string());
+    std::string text = fmt::format("{} against {}\n", prediction.filename().string(), truth_name);
     text += fmt::format("within {} px, {}, edge response {} and above, {}",
                         options.tolerance_px,
                         polarity_of(scored),
@@ -75,6 +81,7 @@ std::string score_table(const std::filesystem::path& prediction,
                         options.thin ? "thinned" : "not thinned");
     if (options.band_px > 0) text += fmt::format(", {} px of the frame left out", options.band_px);
     if (options.ignore_label) text += fmt::format(", {} ignored", *options.ignore_label);
+    if (!scored.notes.empty()) text += fmt::format("\nread as: {}", fmt::join(scored.notes, "; "));
     text += fmt::format("\n\n  F           {:>6}\n", four_places(s.f_of_truth()));
     text += fmt::format(
         "  precision   {:>6}   {} predicted = {} matched + {} unmatched duplicates + {} false "
@@ -130,7 +137,8 @@ std::string folder_table(const std::vector<draw::FolderScore>& scores) {
     return core::aligned(cells) + unscored;
 }
 
-std::string folder_json(const std::vector<draw::FolderScore>& scores) {
+std::string folder_json(const std::vector<draw::FolderScore>& scores,
+                        const std::vector<std::string>& unmatched) {
     Json result = {{"images", Json::object()}};
     for (const draw::FolderScore& each : scores) {
         Json image = each.score ? counts_json(*each.score) : Json::object();
@@ -142,6 +150,7 @@ std::string folder_json(const std::vector<draw::FolderScore>& scores) {
                         {"n_pred", all.n_pred},
                         {"n_truth", all.n_truth},
                         {"f", or_null(draw::pooled_f(scores))}};
+    result["unmatched"] = unmatched;
     return result.dump(2) + "\n";
 }
 

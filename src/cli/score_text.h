@@ -4,23 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "draw/score_files.h"
+#include "draw/score_folders.h"
 
 namespace ink::cli {
 
-/// One score as JSON, with the keys that scripts rely on.
+/// One score as JSON, with the names of folder_csv's columns. For one release the names of before
+/// stand beside them: surplus, off_line, lost, missing, mean_width.
 [[nodiscard]] std::string score_json(const draw::FilesScore& scored);
 
 /// One score as a table for a terminal.
 [[nodiscard]] std::string score_table(const std::filesystem::path& prediction,
-                                      const std::filesystem::path& truth,
+                                      const std::string& truth_name,
                                       const draw::FilesScore& scored);
 
 /// The scores of a folder: a line each, then all of them pooled.
 [[nodiscard]] std::string folder_table(const std::vector<draw::FolderScore>& scores);
 
-/// The same as JSON: {"images": {name: score or {"status"}}, "pooled": ...}.
-[[nodiscard]] std::string folder_json(const std::vector<draw::FolderScore>& scores);
+/// The same as JSON: {"images": {name: score or {"status"}}, "pooled": ..., "unmatched": [files]}.
+[[nodiscard]] std::string folder_json(const std::vector<draw::FolderScore>& scores,
+                                      const std::vector<std::string>& unmatched);
 
 /// The same as CSV, a line per image.
 [[nodiscard]] std::string folder_csv(const std::vector<draw::FolderScore>& scores);

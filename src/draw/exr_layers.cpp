@@ -12,6 +12,7 @@
 #include "harness/cell.h"
 #include "harness/tracing.h"
 #include "image_io/exr_file.h"
+#include "image_io/image_file.h"
 #include "truth/cracks.h"
 
 namespace ink::draw {
@@ -63,24 +64,47 @@ std::array<float, 16> world_to_camera(const scene::Camera& camera) {
     return matrix;
 }
 
-std::vector<ExrAttribute> origin(const harness::SceneViews& scene_views) {
+void append(const std::vector<ExrAttribute>& more, std::vector<ExrAttribute>& attributes) {
+    attributes.insert(attributes.end(), more.begin(), more.end());
+}
+
+/// What is drawn.
+std::vector<ExrAttribute> place(const harness::SceneViews& scene_views) {
     const scene::Camera& camera = scene_views.views.front().camera;
     const glm::dvec3& eye = camera.eye_world;
-    const core::Provenance& p = core::provenance();
-    return {{"Software", fmt::format("inkbench {}", p.version)},
-            {"worldtocamera", world_to_camera(camera)},
-            {"ink:commit", fmt::format("{}{}", p.commit, p.dirty ? "+" : "")},
-            {"ink:scene", scene_views.scene.name},
+    return {{"ink:scene", scene_views.scene.name},
             {"ink:view", camera.name},
             {"ink:eye_world", fmt::format("{} {} {}", eye.x, eye.y, eye.z)},
             {"ink:fov_y_deg", glm::degrees(camera.fov_y_rad)},
             {"ink:near", camera.near}};
 }
 
+/// The same, and by what.
+std::vector<ExrAttribute> origin(const harness::SceneViews& scene_views) {
+    const core::Provenance& p = core::provenance();
+    std::vector<ExrAttribute> attributes = {
+        {"Software", fmt::format("inkbench {}", p.version)},
+        {"worldtocamera", world_to_camera(scene_views.views.front().camera)},
+        {"ink:commit", fmt::format("{}{}", p.commit, p.dirty ? "+" : "")}};
+    append(place(scene_views), attributes);
+    return attributes;
+}
+
+/// What a score is to know of a truth.
+std::vector<ExrAttribute> facts_of_truth(const TruthOrigin& origin) {
+    std::vector<ExrAttribute> attributes = {
+        {"ink:crease_deg", glm::degrees(origin.options.crease_rad)},
+        {"ink:weld_epsilon", origin.options.weld_epsilon},
+        {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"},
+        {"ink:ignore_label", static_cast<double>(truth::LineClass::ignore)},
+        {"ink:band_px", static_cast<double>(harness::kBand_px)}};
+    if (!origin.command.empty()) attributes.push_back({"ink:command", origin.command});
+    return attributes;
+}
+
 }  // namespace
 
-void write_truth_exr(const harness::SceneViews& scene_views,
-                     const truth::TruthOptions& options,
+void write_truth_exr(const TruthOrigin& truth_origin,
                      const truth::Truth& truth,
                      const std::filesystem::path& path) {
     ExrFile file;
@@ -99,14 +123,30 @@ void write_truth_exr(const harness::SceneViews& scene_views,
         truth::draw_cracks(truth.curves, truth.labels.width_px(), truth.labels.height_px());
     file.channels.push_back({"crack.right", whole_numbers(cracks.right)});
     file.channels.push_back({"crack.below", whole_numbers(cracks.below)});
-    file.attributes = origin(scene_views);
-    file.attributes.push_back({"ink:crease_deg", glm::degrees(options.crease_rad)});
-    file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});
-    file.attributes.push_back(
-        {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"});
-    file.attributes.push_back({"ink:ignore_label", static_cast<double>(truth::LineClass::ignore)});
-    file.attributes.push_back({"ink:band_px", static_cast<double>(harness::kBand_px)});
+    file.attributes = origin(truth_origin.scene_views);
+    append(facts_of_truth(truth_origin), file.attributes);
     image_io::write_exr(file, path);
+}
+
+void write_truth_png(const TruthOrigin& truth_origin,
+                     const harness::ViewTruth& truth,
+                     const std::filesystem::path& path) {
+    const core::Image<std::uint8_t> labels = truth.counted_labels();
+    std::vector<ExrAttribute> attributes = place(truth_origin.scene_views);
+    append(facts_of_truth(truth_origin), attributes);
+    image_io::Texts texts;
+    for (const ExrAttribute& attribute : attributes) {
+        const auto* number = std::get_if<double>(&attribute.value);
+        texts[attribute.name] =
+            number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(attribute.value);
+    }
+    if (truth.intersections == score::Intersections::all) {
+        const auto& below = truth.traced.below_crease;
+        const auto flat = std::count_if(
+            below.data(), below.data() + below.size(), [](int value) { return value != 0; });
+        texts["ink:below_crease_px"] = fmt::format("{}", flat);
+    }
+    image_io::write_png(labels, path, texts);
 }
 
 void write_drawing_exr(const harness::SceneViews& scene_views,

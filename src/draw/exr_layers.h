@@ -1,14 +1,23 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "draw/drawing.h"
 #include "harness/suite.h"
+#include "harness/tracing.h"
 #include "method/method_config.h"
 #include "truth/truth.h"
 
 namespace ink::draw {
+
+/// Where a truth comes from, as its file says it.
+struct TruthOrigin {
+    const harness::SceneViews& scene_views;  ///< has the traced view first
+    truth::TruthOptions options = {};
+    std::string command = {};  ///< that traced it, without size and output; "" if it is not known
+};
 
 /// Writes a truth as a multi-channel OpenEXR file.
 ///
@@ -18,13 +27,22 @@ namespace ink::draw {
 /// `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
 /// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
 /// and `exact_corner.Y` (HALF) 0 or 1. What the truth was traced without is left out. The header
-/// names scene, view, camera (`worldToCamera`, eye, field of view, near), crease angle, program and
-/// commit.
+/// names scene, view, camera (`worldToCamera`, eye, field of view, near), crease angle, ignore
+/// label, band, command, program and commit.
 ///
-/// `scene_views` has the traced view first. Throws core::Error if the file cannot be written.
-void write_truth_exr(const harness::SceneViews& scene_views,
-                     const truth::TruthOptions& options,
+/// Throws core::Error if the file cannot be written.
+void write_truth_exr(const TruthOrigin& truth_origin,
                      const truth::Truth& truth,
+                     const std::filesystem::path& path);
+
+/// Writes the labels that count as an 8-bit grey PNG of class numbers: a truth of a few kB. Its
+/// text chunks have what the header of the EXR has, less program, commit and matrix, so that the
+/// same truth is the same file; and in `ink:below_crease_px` how many pixels are intersections
+/// below the crease angle that count.
+///
+/// Throws core::Error if the file cannot be written.
+void write_truth_png(const TruthOrigin& truth_origin,
+                     const harness::ViewTruth& truth,
                      const std::filesystem::path& path);
 
 /// Writes a drawing as a multi-channel OpenEXR file: `R G B` (HALF, linear light) the finished

@@ -11,11 +11,6 @@ void write_responses(const edge::EdgeImage& edge_responses, const std::filesyste
     image_io::write_png(edge_responses, path);
 }
 
-void write_truth_labels(const core::Image<std::uint8_t>& labels,
-                        const std::filesystem::path& path) {
-    image_io::write_png(labels, path);
-}
-
 void write_truth_image(const core::Image<std::uint8_t>& labels, const std::filesystem::path& path) {
     image_io::write_png(truth_image(labels), path);
 }

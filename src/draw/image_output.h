@@ -13,9 +13,7 @@ void write_drawing(const RgbImage& image, const std::filesystem::path& path);
 /// Writes bare edge responses as an 8-bit grey PNG, which `inkbench score` takes.
 void write_responses(const edge::EdgeImage& edge_responses, const std::filesystem::path& path);
 
-/// Writes truth labels as an 8-bit grey PNG of class numbers, which `inkbench score` takes, or as
-/// an image with a colour per class on white.
-void write_truth_labels(const core::Image<std::uint8_t>& labels, const std::filesystem::path& path);
+/// Writes truth labels as an image with a colour per class on white.
 void write_truth_image(const core::Image<std::uint8_t>& labels, const std::filesystem::path& path);
 
 }  // namespace ink::draw

@@ -11,10 +11,9 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "core/whole_file.h"
+#include "harness/outline_image.h"
 #include "harness/tables/csv_table.h"
 #include "harness/view_images.h"
-#include "image_io/image_file.h"
-#include "score/polarity.h"
 
 namespace ink::entrants {
 namespace {
@@ -50,14 +49,13 @@ Times read_times(const fs::path& file) {
 }  // namespace
 
 edge::EdgeImage read_entrant_image(const fs::path& path, const scene::View& view) {
-    edge::EdgeImage image = image_io::read_gray(path);
+    edge::EdgeImage image = harness::read_outline_image(path).responses;
     if (image.width_px() != view.width_px || image.height_px() != view.height_px) {
         throw core::Error(
             path.string(),
             fmt::format("its size is {} x {} px", image.width_px(), image.height_px()),
             fmt::format("{} x {} px, that of the view", view.width_px, view.height_px));
     }
-    if (score::has_dark_lines(image)) score::invert(image);
     return image;
 }
 

@@ -1,12 +1,14 @@
 #include "image_io/image_file.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <type_traits>
 
 #include "core/error.h"
 #include "core/whole_file.h"
@@ -19,15 +21,16 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
 constexpr const char* kAccepted = "an 8-bit grey or colour image, such as a PNG";
+constexpr const char* kPictureAccepted = "a grey or colour image, such as a PNG or an EXR";
 
 /// What the file system alone can tell to be wrong.
-void check_file(const fs::path& path) {
+void check_file(const fs::path& path, const char* accepted) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw core::Error(path.string(), "no such file", kAccepted);
-    if (!fs::is_regular_file(status)) throw core::Error(path.string(), "not a file", kAccepted);
+    if (!fs::exists(status)) throw core::Error(path.string(), "no such file", accepted);
+    if (!fs::is_regular_file(status)) throw core::Error(path.string(), "not a file", accepted);
     if (fs::file_size(path, error) == 0 && !error) {
-        throw core::Error(path.string(), "the file is empty", kAccepted);
+        throw core::Error(path.string(), "the file is empty", accepted);
     }
 }
 
@@ -38,7 +41,7 @@ std::uint32_t big_endian(const std::array<unsigned char, 8>& bytes) {
 
 /// Refuses a PNG whose chunks do not reach to its end mark. Its own library would notice, but talks
 /// to stderr past everybody when it does.
-void check_not_cut(const fs::path& path) {
+void check_not_cut(const fs::path& path, const char* accepted) {
     std::ifstream file(path, std::ios::binary);
     std::array<unsigned char, 8> head{};
     const auto read_head = [&] {
@@ -56,11 +59,49 @@ void check_not_cut(const fs::path& path) {
         if (std::equal(head.begin() + 4, head.end(), "IEND")) return;
         file.seekg(next);
     }
-    throw core::Error(path.string(), "the file is cut off", kAccepted);
+    throw core::Error(path.string(), "the file is cut off", accepted);
+}
+
+/// A file that was opened, and what its library says of it.
+struct OpenFile {
+    std::unique_ptr<OIIO::ImageInput> input;
+    OIIO::ImageSpec spec;
+};
+
+OpenFile open_image(const fs::path& path, const char* accepted) {
+    check_file(path, accepted);
+    check_not_cut(path, accepted);
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    OpenFile file{OIIO::ImageInput::open(path.string(), &wishes), {}};
+    if (!file.input) {
+        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), accepted);
+    }
+    file.spec = file.input->spec();
+    const std::int64_t pixels = std::int64_t{file.spec.width} * file.spec.height;
+    if (file.spec.width < 1 || file.spec.height < 1 || file.spec.depth > 1 || pixels > kMaxPixels) {
+        throw core::Error(path.string(),
+                          fmt::format("its size is {} x {} px", file.spec.width, file.spec.height),
+                          "1 x 1 px to 2^27 px in all");
+    }
+    return file;
+}
+
+/// The channels [begin, end) of all pixels, as numbers of type T.
+template <class T>
+std::vector<T> read_samples(OpenFile& file, int begin, int end, const fs::path& path) {
+    std::vector<T> samples(static_cast<std::size_t>(file.spec.image_pixels()) *
+                           static_cast<std::size_t>(end - begin));
+    constexpr auto kType = std::is_same_v<T, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    if (!file.input->read_image(0, 0, begin, end, kType, samples.data())) {
+        throw core::Error(
+            path.string(), "cannot be read: " + one_line(file.input->geterror()), kAccepted);
+    }
+    return samples;
 }
 
 /// Refuses what cannot become 8-bit grey without a guess.
-void check_spec(const OIIO::ImageSpec& spec, const fs::path& path) {
+void check_is_gray(const OIIO::ImageSpec& spec, const fs::path& path) {
     if (spec.format != OIIO::TypeDesc::UINT8) {
         throw core::Error(path.string(),
                           fmt::format("its pixels are {}, not 8-bit", spec.format.c_str()),
@@ -70,18 +111,6 @@ void check_spec(const OIIO::ImageSpec& spec, const fs::path& path) {
         throw core::Error(
             path.string(), fmt::format("it has {} channels", spec.nchannels), kAccepted);
     }
-    const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || pixels > kMaxPixels) {
-        throw core::Error(path.string(),
-                          fmt::format("its size is {} x {} px", spec.width, spec.height),
-                          "1 x 1 px to 2^27 px in all");
-    }
-}
-
-/// Luma in the 16-bit fixed point that image programs share, so that all of them see one grey.
-std::uint8_t luma(const std::uint8_t* rgb) {
-    return static_cast<std::uint8_t>(
-        (rgb[0] * 19595U + rgb[1] * 38470U + rgb[2] * 7471U + 0x8000U) >> 16);
 }
 
 GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec& spec) {
@@ -89,10 +118,65 @@ GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
         const std::uint8_t* pixel = samples.data() + i * channels;
-        gray.pixels.data()[i] = channels < 3 ? pixel[0] : luma(pixel);
+        gray.pixels.data()[i] = channels < 3 ? pixel[0] : luma(Rgb(pixel[0], pixel[1], pixel[2]));
         if (channels >= 3 && (pixel[0] != pixel[1] || pixel[1] != pixel[2])) gray.has_colour = true;
     }
+    for (const OIIO::ParamValue& param : spec.extra_attribs) {
+        if (param.type() == OIIO::TypeDesc::STRING)
+            gray.texts[param.name().string()] = param.get_string();
+    }
     return gray;
+}
+
+/// Which channels of a file are a picture; -1 where it has none.
+struct PictureChannels {
+    std::string layer;  ///< "" for the image itself
+    std::array<int, 3> colour = {-1, -1, -1};
+    int alpha = -1;
+};
+
+/// The channels of one layer; `colour` begins with -1 if they are no picture.
+PictureChannels channels_of_layer(const OIIO::ImageSpec& spec, const std::string& layer) {
+    const std::string dot = layer.empty() ? "" : layer + ".";
+    const auto find = [&](const char* name) { return spec.channelindex(dot + name); };
+    PictureChannels found{layer, {find("R"), find("G"), find("B")}, find("A")};
+    const bool has_colours = std::all_of(
+        found.colour.begin(), found.colour.end(), [](int channel) { return channel >= 0; });
+    if (!has_colours) found.colour.fill(find("Y"));
+    return found;
+}
+
+PictureChannels find_channels(const OIIO::ImageSpec& spec, const fs::path& path) {
+    PictureChannels found = channels_of_layer(spec, "");
+    if (found.colour[0] >= 0) return found;
+    for (const std::string& channel : spec.channelnames) {
+        const std::size_t dot = channel.rfind('.');
+        if (dot == std::string::npos) continue;
+        const PictureChannels layer = channels_of_layer(spec, channel.substr(0, dot));
+        const bool is_better =
+            layer.colour[0] >= 0 && (found.colour[0] < 0 || (found.colour[0] == found.colour[1] &&
+                                                             layer.colour[0] != layer.colour[1]));
+        if (is_better) found = layer;
+    }
+    if (found.colour[0] < 0 && spec.nchannels == 1) found.colour.fill(0);
+    if (found.colour[0] < 0 || spec.channelformat(found.colour[0]) == OIIO::TypeDesc::UINT32) {
+        throw core::Error(
+            path.string(),
+            fmt::format("its channels are no picture: {}", fmt::join(spec.channelnames, ", ")),
+            "channels R, G, B or Y, alone or in a layer");
+    }
+    return found;
+}
+
+/// What a screen shows for linear light (IEC 61966-2-1), 0..1.
+float shown(float light) {
+    if (!(light > 0)) return 0;  // NaN, too
+    if (light >= 1) return 1;
+    return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
+}
+
+std::uint8_t to_byte(float value) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
 }
 
 /// A grey or RGB image, as the file library wants it.
@@ -101,6 +185,7 @@ struct Samples {
     int width_px = 0;
     int height_px = 0;
     int channels = 1;
+    const Texts* texts = nullptr;
 };
 
 Samples samples_of(const core::Image<std::uint8_t>& image) {
@@ -127,6 +212,10 @@ std::vector<std::uint8_t> encode(const Samples& samples, const std::string& wher
     spec.attribute("png:compressionLevel", 1);
     spec.attribute("png:filter", kUpFilter);
     spec.attribute("compression", "rle");
+    if (samples.texts != nullptr) {
+        for (const auto& [name, text] : *samples.texts)
+            spec.attribute(name, text);
+    }
     if (!output->open("picture.png", spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, samples.data) || !output->close()) {
         throw core::Error(where, "cannot be encoded: " + one_line(output->geterror()));
@@ -146,23 +235,45 @@ core::Image<std::uint8_t> read_gray(const fs::path& path) {
 }
 
 GrayFile read_gray_file(const fs::path& path) {
-    check_file(path);
-    check_not_cut(path);
-    OIIO::ImageSpec wishes;
-    wishes.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(path.string(), &wishes);
-    if (!input) {
-        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), kAccepted);
+    OpenFile file = open_image(path, kAccepted);
+    check_is_gray(file.spec, path);
+    return to_gray(read_samples<std::uint8_t>(file, 0, file.spec.nchannels, path), file.spec);
+}
+
+Picture read_picture(const fs::path& path) {
+    OpenFile file = open_image(path, kPictureAccepted);
+    const PictureChannels channels = find_channels(file.spec, path);
+    const auto [least, most] =
+        std::minmax({channels.colour[0],
+                     channels.colour[1],
+                     channels.colour[2],
+                     channels.alpha < 0 ? channels.colour[0] : channels.alpha});
+    const std::vector<float> samples = read_samples<float>(file, least, most + 1, path);
+    const OIIO::TypeDesc type = file.spec.channelformat(channels.colour[0]);
+    // Float files have light, multiplied by alpha; whole numbers are what a screen gets.
+    const bool is_light = type.is_floating_point();
+    Picture picture{core::Image<Rgb>(file.spec.width, file.spec.height), {}};
+    if (channels.alpha >= 0)
+        picture.alpha = core::Image<std::uint8_t>(file.spec.width, file.spec.height);
+    const auto stride = static_cast<std::size_t>(most + 1 - least);
+    for (std::size_t i = 0; i < picture.colour.size(); ++i) {
+        const float* pixel = samples.data() + i * stride;
+        const float alpha = channels.alpha < 0 ? 1 : pixel[channels.alpha - least];
+        for (int c = 0; c < 3; ++c) {
+            float value = pixel[channels.colour[static_cast<std::size_t>(c)] - least];
+            if (is_light) value = shown(alpha > 0 ? value / alpha : value);
+            picture.colour.data()[i][c] = to_byte(value);
+        }
+        if (channels.alpha >= 0) picture.alpha.data()[i] = to_byte(alpha);
     }
-    const OIIO::ImageSpec spec = input->spec();
-    check_spec(spec, path);
-    std::vector<std::uint8_t> samples(static_cast<std::size_t>(spec.image_pixels()) *
-                                      static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, samples.data())) {
-        throw core::Error(
-            path.string(), "cannot be read: " + one_line(input->geterror()), kAccepted);
+    if (!channels.layer.empty())
+        picture.notes.push_back(fmt::format("layer {} of it", channels.layer));
+    if (is_light) {
+        picture.notes.push_back("float values as a screen shows them (sRGB)");
+    } else if (type != OIIO::TypeDesc::UINT8) {
+        picture.notes.push_back(fmt::format("{} bits rounded to 8", 8 * type.size()));
     }
-    return to_gray(samples, spec);
+    return picture;
 }
 
 std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {
@@ -172,8 +283,10 @@ std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image) {
     return encode(samples_of(image), "png");
 }
 
-void write_png(const core::Image<std::uint8_t>& image, const fs::path& path) {
-    write(samples_of(image), path);
+void write_png(const core::Image<std::uint8_t>& image, const fs::path& path, const Texts& texts) {
+    Samples samples = samples_of(image);
+    samples.texts = &texts;
+    write(samples, path);
 }
 void write_png(const core::Image<Rgb>& image, const fs::path& path) {
     write(samples_of(image), path);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/image.h"
@@ -21,20 +23,52 @@ using Rgb = glm::u8vec3;
 /// larger than 2^27 pixels.
 [[nodiscard]] core::Image<std::uint8_t> read_gray(const std::filesystem::path& path);
 
+/// Texts of an image file by name: what a PNG has in its text chunks.
+using Texts = std::map<std::string, std::string>;
+
 /// A file as grey, and whether it was more than that.
 struct GrayFile {
     core::Image<std::uint8_t> pixels;
     bool has_colour = false;  ///< a pixel's red, green and blue differ
+    Texts texts = {};         ///< of the file, ours ("ink:band_px") and others'
 };
 
 /// As read_gray, for whoever must not take colours for grey.
 [[nodiscard]] GrayFile read_gray_file(const std::filesystem::path& path);
 
-/// Writes a PNG beside `path` and renames it, so that a half-written file is never seen.
+/// An image file of any depth as a screen shows it, 8 bits a channel.
+struct Picture {
+    core::Image<Rgb> colour;          ///< straight: not multiplied by alpha
+    core::Image<std::uint8_t> alpha;  ///< empty where the file has none
+    /// What was done to get there, a phrase each: another depth, which of several layers.
+    std::vector<std::string> notes = {};
+};
+
+/// Reads a picture from elsewhere: grey or colour, 8 or 16 bits, or float, with alpha or without.
+///
+/// 16 bits are rounded to 8. Float values (OpenEXR) are light: 0..1 becomes sRGB, as on a screen,
+/// what lies outside is cut. Of a file with layers the image itself is taken (R, G, B or Y), else
+/// the first layer that has colours (`layer.R`), else the first that has grey.
+///
+/// Throws core::Error with where = the path: missing, empty, not an image, cut off, without colour
+/// or grey, or larger than 2^27 pixels.
+[[nodiscard]] Picture read_picture(const std::filesystem::path& path);
+
+/// How bright a colour is: ITU-R 601 in the 16-bit fixed point that image programs share, so that
+/// all of them see one grey. Of a grey it is that grey.
+[[nodiscard]] constexpr std::uint8_t luma(const Rgb& rgb) {
+    return static_cast<std::uint8_t>((rgb.r * 19595U + rgb.g * 38470U + rgb.b * 7471U + 0x8000U) >>
+                                     16);
+}
+
+/// Writes a PNG beside `path` and renames it, so that a half-written file is never seen. `texts`
+/// become text chunks.
 ///
 /// Throws core::Error with where = the path if it cannot be written or the image is empty; nothing
 /// is left behind then, and a file that was there before stays.
-void write_png(const core::Image<std::uint8_t>& image, const std::filesystem::path& path);
+void write_png(const core::Image<std::uint8_t>& image,
+               const std::filesystem::path& path,
+               const Texts& texts = {});
 void write_png(const core::Image<Rgb>& image, const std::filesystem::path& path);
 
 /// The same file as bytes, for pages that carry their images. Throws core::Error on an empty

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -54,7 +55,8 @@ TEST_F(ScoreFiles, FindsDarkLinesOnLightByItself) {
         EXPECT_EQ(scored.score.f(), 1) << path;
         EXPECT_TRUE(scored.doubts.empty());
     }
-    EXPECT_LT(score_files(dark, truth, {.polarity = Polarity::light_on_dark}).score.f(), 1);
+    EXPECT_LT(score_files(dark, truth, {.polarity = harness::Polarity::light_on_dark}).score.f(),
+              1);
 }
 
 TEST_F(ScoreFiles, TakesAnImageOfOneValueAsItIs) {
@@ -101,6 +103,59 @@ TEST_F(ScoreFiles, TakesIgnoreAndBandFromAnExr) {
     EXPECT_EQ(all.score.n_truth, 48);
 }
 
+TEST_F(ScoreFiles, TakesIgnoreAndBandFromTheTextsOfAPng) {
+    const fs::path truth = folder_ / "truth.png";
+    image_io::write_png(line_image(1, 0),
+                        truth,
+                        {{"ink:labels", "0 none 1 contour"},
+                         {"ink:ignore_label", "7"},
+                         {"ink:band_px", "6"},
+                         {"ink:below_crease_px", "3"}});
+    const fs::path drawn = write("drawn.png", line_image(255, 0));
+    const FilesScore scored = score_files(drawn, truth, {});
+    EXPECT_EQ(scored.options.ignore_label, 7);
+    EXPECT_EQ(scored.options.band_px, 6);
+    EXPECT_EQ(scored.score.n_truth, 12);
+    EXPECT_EQ(scored.score.classes.size(), 1U) << "a lone 1 is a class";
+    EXPECT_THAT(scored.doubts, testing::ElementsAre(HasSubstr("3 px")));
+    EXPECT_TRUE(
+        score_files(drawn, truth, {.intersections = score::Intersections::all}).doubts.empty());
+    image_io::write_png(line_image(1, 0), truth, {{"ink:band_px", "wide"}});
+    EXPECT_EQ(score_files(drawn, truth, {}).options.band_px, 0) << "not ours";
+}
+
+TEST_F(ScoreFiles, AnotherSizeNamesTheCommandForTheRightTruth) {
+    const fs::path drawn = write("drawn.png", Gray(40, 24, 0));
+    const fs::path truth = folder_ / "truth.png";
+    const auto refusal = [&] {
+        return core::error_text([&] { return score_files(drawn, truth, {}); });
+    };
+    write("truth.png", line_image(1, 0));
+    EXPECT_THAT(refusal(), HasSubstr("inkbench score " + drawn.string() + " --model MODEL"));
+    image_io::write_png(line_image(1, 0), truth, {{"ink:command", "inkbench truth cube"}});
+    EXPECT_THAT(refusal(), HasSubstr("inkbench truth cube --size 40x24 -o " + truth.string()));
+}
+
+TEST_F(ScoreFiles, SaysWhatSeemsToBeWrong) {
+    const fs::path truth = write("truth.png", line_image(1, 0));
+    const auto doubts = [&](const Gray& image) {
+        return score_files(write("drawn.png", image), truth, {}).doubts;
+    };
+    Gray shifted(32, 24, 0);
+    for (int y = 0; y < 24; ++y)
+        shifted.at(13, y) = 255;
+    EXPECT_THAT(doubts(shifted),
+                testing::ElementsAre(HasSubstr("drawn.png: it seems to be shifted by 5 px")));
+    EXPECT_THAT(doubts(Gray(32, 24, 0)), testing::ElementsAre(HasSubstr("drawn.png: it is blank")));
+    Gray half(32, 24, 0);
+    for (int y = 0; y < 24; ++y)
+        std::fill(half.row(y), half.row(y) + 20, std::uint8_t{255});
+    EXPECT_THAT(
+        doubts(half),
+        testing::ElementsAre(HasSubstr("62 % of it count as drawn; if its lines are dark on "
+                                       "light, score it with --polarity dark")));
+}
+
 TEST_F(ScoreFiles, RefusesAnExrWithoutLabels) {
     image_io::write_exr({{{"Y", core::Image<float>(4, 4, 1.0F)}}, {}}, folder_ / "other.exr");
     const fs::path drawn = write("drawn.png", line_image(255, 0));
@@ -142,6 +197,11 @@ TEST_F(ScoreFiles, FoldersPairByNameAndSayWhatIsMissing) {
     EXPECT_THAT(scores[2].status, HasSubstr("size")) << scores[2].name;
     EXPECT_THAT(scores[3].status, HasSubstr("no image of this name")) << scores[3].name;
     EXPECT_EQ(pooled(scores).n_truth, 12 + 24);
+    write("drawn/a/back.webp.png", Gray(8, 8, 0));
+    write("drawn/extra.png", Gray(8, 8, 0));
+    std::ofstream(folder_ / "drawn/times.csv") << "scene,view,draw_ms\n";
+    EXPECT_THAT(files_without_truth(folder_ / "drawn", folder_ / "truth"),
+                testing::ElementsAre("a/back.webp.png", "extra.png"));
     EXPECT_THROW((void)score_folders(folder_ / "drawn", folder_ / "nowhere", {}, {}), core::Error);
 }
 

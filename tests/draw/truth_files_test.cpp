@@ -9,6 +9,7 @@
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "image_io/exr_file.h"
+#include "image_io/image_file.h"
 #include "methods/method_configs.h"
 #include "tests/report/markup.h"
 #include "tests/scene/small_meshes.h"
@@ -57,7 +58,7 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
     const harness::SceneViews scene_views = cube();
     const truth::Truth truth = traced(scene_views);
     const fs::path path = fs::path(testing::TempDir()) / "truth_layers.exr";
-    write_truth_exr(scene_views, {}, truth, path);
+    write_truth_exr({scene_views}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
 
@@ -98,7 +99,7 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     const truth::Truth truth =
         truth::trace_truth(scene_views.scene, scene_views.views.front(), {.layers = false});
     const fs::path path = fs::path(testing::TempDir()) / "truth_labels.exr";
-    write_truth_exr(scene_views, {}, truth, path);
+    write_truth_exr({scene_views}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
     EXPECT_EQ(file.channels.size(), 7U)
@@ -109,6 +110,22 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     // The left side of the square: 60 px / 5 left of the middle, at 20. Centres 19.5 and 20.5.
     EXPECT_EQ(right->at(19, 24), static_cast<std::uint32_t>(truth::LineClass::contour));
     EXPECT_EQ(right->at(20, 24), 0U);
+}
+
+TEST(TruthPng, SaysHowItWantsToBeScored) {
+    const harness::SceneViews scene_views = cube();
+    truth::SceneModel model(scene_views.scene, {});
+    const harness::ViewTruth truth = harness::trace_view(model, scene_views.views.front(), {});
+    const fs::path path = fs::path(testing::TempDir()) / "truth_labels.png";
+    write_truth_png({scene_views, {}, "inkbench truth cube"}, truth, path);
+    const image_io::GrayFile file = image_io::read_gray_file(path);
+    fs::remove(path);
+    EXPECT_EQ(file.pixels, truth.counted_labels());
+    EXPECT_EQ(file.texts.at("ink:ignore_label"), "7");
+    EXPECT_EQ(file.texts.at("ink:band_px"), "6");
+    EXPECT_EQ(file.texts.at("ink:command"), "inkbench truth cube");
+    EXPECT_EQ(file.texts.at("ink:scene"), scene_views.scene.name);
+    EXPECT_FALSE(file.texts.contains("ink:commit")) << "the same truth is the same file";
 }
 
 TEST(DrawingExr, HoldsImageShadingResponseAndLayers) {

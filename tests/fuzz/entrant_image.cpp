@@ -54,10 +54,10 @@ void check_entrant_image(Bytes bytes) {
     const auto path = scratch_file("image.png", with_checksums(bytes));
     scene::View view;
     try {
-        const core::Image<std::uint8_t> gray = image_io::read_gray(path);
-        expect(gray.width_px() > 0 && gray.height_px() > 0, "an image has pixels");
-        view.width_px = gray.width_px();
-        view.height_px = gray.height_px();
+        const image_io::Picture picture = image_io::read_picture(path);
+        view.width_px = picture.colour.width_px();
+        view.height_px = picture.colour.height_px();
+        expect(view.width_px > 0 && view.height_px > 0, "an image has pixels");
     } catch (const core::Error& error) {
         expect_clear(error);
         return;

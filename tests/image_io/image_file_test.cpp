@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string>
 
 #include "core/error.h"
+#include "image_io/exr_file.h"
 #include "tests/score/oracle_files.h"
 
 namespace {
@@ -16,7 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using ink::image_io::encode_png;
 using ink::image_io::read_gray;
+using ink::image_io::read_picture;
 using ink::image_io::Rgb;
+using ink::image_io::write_exr;
 using ink::image_io::write_png;
 using Gray = ink::core::Image<std::uint8_t>;
 using Colour = ink::core::Image<Rgb>;
@@ -166,6 +171,65 @@ TEST_F(ImageFile, RefusesSixteenBitsAndAbsurdSizes) {
                 testing::HasSubstr("not 8-bit"));
     EXPECT_THAT(refusal_of(file_of("huge.pgm", anymap("P5\n100000 100000\n255\n", 8))),
                 testing::ContainsRegex("100000 ?x ?100000"));
+}
+
+TEST_F(ImageFile, KeepsTexts) {
+    write_png(every_value(), file("texts.png"), {{"ink:band_px", "6"}, {"ink:command", "a 'b c'"}});
+    const auto read = ink::image_io::read_gray_file(file("texts.png"));
+    EXPECT_EQ(read.pixels, every_value());
+    EXPECT_EQ(read.texts.at("ink:band_px"), "6");
+    EXPECT_EQ(read.texts.at("ink:command"), "a 'b c'");
+}
+
+TEST_F(ImageFile, APictureMayHaveSixteenBits) {
+    std::vector<std::uint8_t> bytes = anymap("P5\n3 1\n65535\n", 0);
+    for (const int v : {0, 0x80, 0xff})
+        bytes.insert(bytes.end(), 2, static_cast<std::uint8_t>(v));
+    const auto picture = read_picture(file_of("deep.pgm", bytes));
+    EXPECT_THAT(picture.notes, testing::ElementsAre("16 bits rounded to 8"));
+    EXPECT_EQ(picture.colour.at(0, 0), Rgb(0));
+    EXPECT_EQ(picture.colour.at(1, 0), Rgb(128));
+    EXPECT_EQ(picture.colour.at(2, 0), Rgb(255));
+    EXPECT_TRUE(picture.alpha.is_empty());
+}
+
+/// A row of floats.
+ink::core::Image<float> floats(const std::vector<float>& values) {
+    ink::core::Image<float> image(static_cast<int>(values.size()), 1);
+    std::copy(values.begin(), values.end(), image.data());
+    return image;
+}
+
+TEST_F(ImageFile, APictureOfFloatsIsWhatAScreenShows) {
+    const auto values = floats({0, 0.21586F, 1, 7, std::nanf("")});
+    write_exr({{{"Y", values}}, {}}, file("light.exr"));
+    const auto picture = read_picture(file("light.exr"));
+    constexpr int kShown[] = {0, 128, 255, 255, 0};
+    for (int x = 0; x < 5; ++x)
+        EXPECT_EQ(picture.colour.at(x, 0), Rgb(kShown[x])) << x;
+}
+
+TEST_F(ImageFile, APictureOfLightHasItsAlphaTakenOut) {
+    write_exr({{{"A", floats({0.5F, 0})}, {"Y", floats({0.5F, 0})}}, {}}, file("alpha.exr"));
+    const auto picture = read_picture(file("alpha.exr"));
+    EXPECT_EQ(picture.colour.at(0, 0), Rgb(255));
+    EXPECT_EQ(picture.alpha.at(0, 0), 128);
+    EXPECT_EQ(picture.alpha.at(1, 0), 0);
+}
+
+TEST_F(ImageFile, OfLayersAPictureIsTheFirstInColour) {
+    const auto one = floats({1});
+    write_exr({{{"View.Combined.R", one},
+                {"View.Combined.G", floats({0})},
+                {"View.Combined.B", floats({0})},
+                {"View.Depth.Y", floats({3})}},
+               {}},
+              file("layers.exr"));
+    const auto picture = read_picture(file("layers.exr"));
+    EXPECT_EQ(picture.colour.at(0, 0), Rgb(255, 0, 0));
+    EXPECT_THAT(picture.notes, testing::Contains("layer View.Combined of it"));
+    write_exr({{{"id", ink::core::Image<std::uint32_t>(2, 2)}}, {}}, file("ids.exr"));
+    EXPECT_THROW((void)read_picture(file("ids.exr")), ink::core::Error);
 }
 
 TEST_F(ImageFile, ReadsWhatTheOraclesOwnReaderReads) {

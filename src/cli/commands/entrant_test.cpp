@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -11,6 +10,7 @@
 #include "harness/cell.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
+#include "score/doubts.h"
 
 namespace ink::cli {
 namespace {
@@ -23,39 +23,6 @@ struct EntrantTestArgs {
     std::string size = "320x180";
     double seconds = 60;
 };
-
-edge::EdgeImage flipped(const edge::EdgeImage& image, bool in_x, bool in_y) {
-    edge::EdgeImage result(image.width_px(), image.height_px());
-    for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x) {
-            result.at(x, y) =
-                image.at(in_x ? image.width_px() - 1 - x : x, in_y ? image.height_px() - 1 - y : y);
-        }
-    }
-    return result;
-}
-
-/// What is wrong with an image that came, in a sentence; "" if nothing is.
-std::string doubt_of(const edge::EdgeImage& image,
-                     const score::ScoringTruth& truth,
-                     int threshold,
-                     double f) {
-    const auto* end = image.data() + image.size();
-    const auto drawn = std::count_if(image.data(), end, [&](int v) { return v >= threshold; });
-    if (drawn == 0) return "no pixel counts as drawn";
-    if (2 * static_cast<std::size_t>(drawn) > image.size())
-        return "more than half of the image counts as drawn";
-    constexpr double kBetter = 0.2;
-    const score::ScoreOptions options = harness::score_options(threshold);
-    const auto f_of = [&](bool in_x, bool in_y) {
-        return score::score(flipped(image, in_x, in_y), truth, options).f();
-    };
-    if (f_of(false, true) > f + kBetter) return "it seems to be upside down";
-    if (f_of(true, false) > f + kBetter) return "it seems to be mirrored";
-    if (f_of(true, true) > f + kBetter) return "it seems to be turned by 180 degrees";
-    if (f < 0.1) return "its lines are nowhere near the true ones: is the camera right?";
-    return "";
-}
 
 /// Draws a view and prints a line about it; false if something is wrong.
 bool test_view(const method::MethodConfig& config, const harness::SceneViews& scene_views) {
@@ -70,10 +37,9 @@ bool test_view(const method::MethodConfig& config, const harness::SceneViews& sc
     }
     truth::SceneModel model(scene_views.scene, {});
     const harness::ViewTruth truth = harness::trace_view(model, scene_views.views.front(), {});
-    const int threshold = method::threshold_of(config);
-    const double f =
-        score::score(images.front(), truth.scoring, harness::score_options(threshold)).f();
-    const std::string doubt = doubt_of(images.front(), truth.scoring, threshold, f);
+    const score::ScoreOptions options = harness::score_options(method::threshold_of(config));
+    const double f = score::score(images.front(), truth.scoring, options).f();
+    const std::string doubt = score::doubt_of(images.front(), truth.scoring, options, f);
     const double ms =
         times.front().draw_ns.empty() ? 0 : static_cast<double>(times.front().draw_ns[0]) * 1e-6;
     fmt::print("{}: F {:.3f}, {:.1f} ms by its own clock{}{}\n",
@@ -89,8 +55,9 @@ bool test_view(const method::MethodConfig& config, const harness::SceneViews& sc
 void run_entrant_test(const EntrantTestArgs& args) {
     const entrants::Entrant entrant = entrants::parse_entrant("entrant=" + args.program);
     if (!entrant.is_program)
-        throw core::Error("inkbench entrant-test", args.program + " is a folder", "a program");
-    const method::MethodConfig config = entrants::entrant_config(entrant, {.wall_s = args.seconds});
+        throw core::Error("entrant-test", args.program + " is a folder", "a program");
+    const method::MethodConfig config =
+        entrants::entrant_config(entrant, {.wall_s = args.seconds});
     harness::ViewRequest request;
     const experiment::ImageSize size = experiment::parse_image_size(args.size, "--size");
     request.width_px = size.width_px;

@@ -44,7 +44,7 @@ void export_truth(const harness::SceneViews& scene_views,
     try {
         const harness::ViewTruth truth =
             harness::trace_view(model, scene_views.views.front(), trace);
-        draw::write_truth_exr(scene_views, trace.truth, truth.traced, file);
+        draw::write_truth_exr({scene_views, trace.truth}, truth.traced, file);
     } catch (const truth::TooLarge& reason) {
         fmt::print(stderr,
                    "inkbench: {}: {} has no truth: too_large: {}\n",
@@ -83,8 +83,7 @@ void run_export(const ExportArgs& args) {
         throw core::Error("--truth", "there is no choice '" + args.truth + "'", "train, all, none");
     }
     std::vector<std::string> names = scene_names(args.scenes);
-    if (names.empty())
-        throw core::Error("inkbench export", "no scene is named", "scenes or model files");
+    if (names.empty()) throw core::Error("export", "no scene is named", "scenes or model files");
     const harness::TraceOptions trace =
         experiment::trace_of(args.options.read(), cache_folder(args.cache));
     const auto scenes = harness::load_scenes(names, view_request(args.views));

@@ -46,7 +46,7 @@ fs::path script() {
         program.parent_path() / INK_SHARE_FROM_PROGRAM / "notebooks" / kScript;
     for (const fs::path& file : {installed, fs::path(INK_SOURCE_NOTEBOOKS) / kScript})
         if (fs::is_regular_file(file, error)) return file.lexically_normal();
-    throw core::Error("inkbench figures",
+    throw core::Error("figures",
                       fmt::format("the script {} is not there", kScript),
                       fmt::format("{} or {}",
                                   installed.lexically_normal().string(),
@@ -174,7 +174,7 @@ void show_runs(const FiguresArgs& args,
                const CLI::App& command) {
     refuse_run_options(command);
     if (!args.scenes.named.empty()) {
-        throw core::Error("inkbench figures",
+        throw core::Error("figures",
                           fmt::format("'{}' is no folder", args.scenes.named.front()),
                           "run folders, or scenes and models, but not both");
     }

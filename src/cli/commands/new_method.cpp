@@ -27,12 +27,12 @@ void check_method_name(const std::string& name) {
                              return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_';
                          });
     if (!is_word || name == kTemplateName) {
-        throw core::Error("inkbench new-method",
+        throw core::Error("new-method",
                           "a method cannot be called '" + name + "'",
                           "small letters, digits and underscores, a letter first");
     }
     if (core::find_named(methods::registry(), name) != nullptr)
-        throw core::Error("inkbench new-method", "there is a method '" + name + "' already");
+        throw core::Error("new-method", "there is a method '" + name + "' already");
 }
 
 std::string source_text(const fs::path& path) {

@@ -29,7 +29,7 @@ fs::path page_path(const ReportArgs& args) {
     }
     if (args.folders.size() == 1) return fs::path(args.folders.front()) / "report.html";
     throw core::Error(
-        "inkbench report", "several runs have no folder in common for their page", "-o FILE.html");
+        "report", "several runs have no folder in common for their page", "-o FILE.html");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,9 +10,11 @@
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/score_text.h"
+#include "cli/traced_view.h"
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "draw/image_output.h"
+#include "experiment/experiment_plan.h"
 #include "harness/out_folder.h"
 
 namespace ink::cli {
@@ -27,6 +29,10 @@ constexpr int kImagesUnscored = 3;
 struct ScoreArguments {
     fs::path prediction;
     fs::path truth;
+    std::string model;  ///< a scene or model file instead of a truth
+    std::string view;
+    ViewOptions views;
+    CacheOptions cache;
     draw::ScoreRequest request;
     std::string polarity = "auto";
     ExperimentOptions options;
@@ -38,17 +44,17 @@ struct ScoreArguments {
     bool as_json = false;
 };
 
-draw::Polarity asked_polarity(const ScoreArguments& a) {
-    static const std::map<std::string, draw::Polarity> kPolarities = {
-        {"auto", draw::Polarity::automatic},
-        {"light", draw::Polarity::light_on_dark},
-        {"dark", draw::Polarity::dark_on_light}};
+harness::Polarity asked_polarity(const ScoreArguments& a) {
+    static const std::map<std::string, harness::Polarity> kPolarities = {
+        {"auto", harness::Polarity::automatic},
+        {"light", harness::Polarity::light_on_dark},
+        {"dark", harness::Polarity::dark_on_light}};
     const auto found = kPolarities.find(a.polarity);
     if (found == kPolarities.end()) {
         throw core::Error(
             "--polarity", "there is no polarity '" + a.polarity + "'", "auto, light, dark");
     }
-    return a.is_inverted ? draw::Polarity::dark_on_light : found->second;
+    return a.is_inverted ? harness::Polarity::dark_on_light : found->second;
 }
 
 /// Exit code 1 for an F below what was asked, or none.
@@ -65,9 +71,44 @@ void print_doubts(const draw::FilesScore& scored) {
         fmt::print(stderr, "inkbench: {}\n", doubt);
 }
 
-void score_pair(const ScoreArguments& a) {
+/// Traces what the image shows, in its own size, and scores it; `truth_name` becomes what was
+/// traced.
+draw::FilesScore score_against_model(const ScoreArguments& a,
+                                     const CLI::App& command,
+                                     std::string& truth_name) {
+    score::check(a.request.options);
+    harness::OutlineImage image = harness::read_outline_image(a.prediction, a.request.polarity);
+    const std::string own_size =
+        fmt::format("{}x{}", image.responses.width_px(), image.responses.height_px());
+    ViewOptions views = a.views;
+    if (views.size.empty()) views.size = own_size;
+    const harness::ViewRequest request = view_request(views);
+    if (request.width_px != image.responses.width_px() ||
+        request.height_px != image.responses.height_px()) {
+        throw core::Error(
+            "--size",
+            fmt::format(
+                "it is {}, but the size of {} is {}", views.size, a.prediction.string(), own_size),
+            recorded_command(command, {"--size"}));
+    }
+    const TracedView traced(harness::load_one_view(a.model, a.view, request),
+                            experiment::trace_of(a.options.read(), cache_folder(a.cache)));
+    truth_name = fmt::format("{}, view {}", a.model, traced.view().camera.name);
+    return draw::score_images({a.prediction.string(), std::move(image)},
+                              {truth_name,
+                               {traced.truth.counted_labels(),
+                                static_cast<int>(truth::LineClass::ignore),
+                                harness::kBand_px,
+                                true}},
+                              a.request);
+}
+
+void score_pair(const ScoreArguments& a, const CLI::App& command) {
     if (!a.picture.empty()) check_output_path(a.picture, {".png"});
-    const draw::FilesScore scored = draw::score_files(a.prediction, a.truth, a.request);
+    std::string truth_name = a.truth.filename().string();
+    const draw::FilesScore scored = a.model.empty()
+                                        ? draw::score_files(a.prediction, a.truth, a.request)
+                                        : score_against_model(a, command, truth_name);
     if (!a.picture.empty()) draw::write_drawing(draw::picture_of(scored), a.picture);
     if (!a.csv.empty()) {
         draw::FolderScore line{a.prediction.filename().string()};
@@ -78,7 +119,8 @@ void score_pair(const ScoreArguments& a) {
         }
         core::write_whole_file(a.csv, folder_csv({line}));
     }
-    fmt::print("{}", a.as_json ? score_json(scored) : score_table(a.prediction, a.truth, scored));
+    fmt::print("{}",
+               a.as_json ? score_json(scored) : score_table(a.prediction, truth_name, scored));
     std::fflush(stdout);
     print_doubts(scored);
     check_least_f(a, scored.score.f_of_truth());
@@ -94,8 +136,15 @@ void score_all(const ScoreArguments& a) {
     };
     const auto scores = draw::score_folders(a.prediction, a.truth, a.request, draw_picture);
     if (!a.csv.empty()) core::write_whole_file(a.csv, folder_csv(scores));
-    fmt::print("{}", a.as_json ? folder_json(scores) : folder_table(scores));
+    const auto unmatched = draw::files_without_truth(a.prediction, a.truth);
+    fmt::print("{}", a.as_json ? folder_json(scores, unmatched) : folder_table(scores));
     std::fflush(stdout);
+    if (!unmatched.empty()) {
+        fmt::print(stderr,
+                   "inkbench: {} has no truth for {}\n",
+                   a.truth.string(),
+                   fmt::join(unmatched, ", "));
+    }
     const auto is_scored = [](const draw::FolderScore& each) { return each.is_scored(); };
     check_least_f(a, draw::pooled_f(scores));
     if (std::all_of(scores.begin(), scores.end(), is_scored)) return;
@@ -104,7 +153,7 @@ void score_all(const ScoreArguments& a) {
                                                                                  : kFTooLow);
 }
 
-void run_score(ScoreArguments a) {
+void run_score(ScoreArguments a, const CLI::App& command) {
     a.request.options.thin = !a.no_thin;
     a.request.polarity = asked_polarity(a);
     a.request.intersections = a.options.read().intersections;
@@ -114,13 +163,23 @@ void run_score(ScoreArguments a) {
     }
     if (!a.csv.empty()) check_output_path(a.csv, {".csv"});
     const bool is_folder = fs::is_directory(a.prediction);
+    if (a.truth.empty() == a.model.empty()) {
+        throw core::Error("truth",
+                          a.model.empty() ? "it is missing" : "there is a --model beside it",
+                          "the file of inkbench truth -o, or --model MODEL");
+    }
+    if (!a.model.empty()) {
+        if (is_folder)
+            throw core::Error("--model", a.prediction.string() + " is a folder", "one image");
+        return score_pair(a, command);
+    }
     if (is_folder != fs::is_directory(a.truth)) {
         throw core::Error(
             (is_folder ? a.truth : a.prediction).string(),
             "this is no folder, but " + (is_folder ? a.prediction : a.truth).string() + " is one",
             "two files, or two folders");
     }
-    return is_folder ? score_all(a) : score_pair(a);
+    return is_folder ? score_all(a) : score_pair(a, command);
 }
 
 void add_scoring_options(CLI::App& command, ScoreArguments& a) {
@@ -146,23 +205,46 @@ void add_scoring_options(CLI::App& command, ScoreArguments& a) {
     command
         .add_option("--band",
                     a.request.band_px,
-                    "Leave out this many pixels along the frame (default: what an EXR says, else "
-                    "0)")
+                    "Leave out this many pixels along the frame (default: what the truth says, "
+                    "else 0)")
         ->type_name("PX");
     command.add_option("--ignore",
                        a.request.options.ignore_label,
                        "Truth value, 1..255, that is neither required nor penalised (default: what "
-                       "an EXR says, else none)");
+                       "the truth says, else none)");
     a.options.add_to(command, {"measure.intersections"});
+}
+
+/// What is traced instead of reading a truth.
+void add_model_options(CLI::App& command, ScoreArguments& a) {
+    auto* model = command.add_option(
+        "--model", a.model, "A model file or built-in scene, which is traced in the image's size");
+    model->type_name("SCENE");
+    const std::size_t before = command.get_options().size();
+    command.add_option("--view", a.view, "Name of the view (default: the first)")
+        ->type_name("NAME");
+    a.views.size.clear();
+    add_view_options(command, a.views);
+    a.options.add_to(command, {"measure.crease_deg", "measure.weld_epsilon"});
+    add_cache_options(command, a.cache);
+    const auto options = command.get_options();
+    for (std::size_t i = before; i < options.size(); ++i)
+        options[i]->needs(model);
+    command.get_option("--size")->default_str("that of the image");
+    add_quiet_option(command);
 }
 
 }  // namespace
 
 void add_score_command(CLI::App& app) {
     auto* command = app.add_subcommand(
-        "score", "Score an outline image against a truth image, or a folder of them");
+        "score", "Score an outline image against a truth image or a model, or a folder of images");
     auto a = std::make_shared<ScoreArguments>();
-    command->add_option("prediction", a->prediction, "8-bit outline image, or a folder of them")
+    command
+        ->add_option("prediction",
+                     a->prediction,
+                     "Outline image of any depth, in grey or colour, with alpha or without; or a "
+                     "folder of them")
         ->type_name("FILE")
         ->required();
     command
@@ -172,9 +254,9 @@ void add_score_command(CLI::App& app) {
             "What inkbench truth -o writes: the .exr, or the 8-bit image of classes (0 no line, "
             "every other value a class; if it holds nothing but 0 and 1, or 0 and 255, its lines "
             "have no class). Or a folder of them, with the names of the predictions")
-        ->type_name("FILE")
-        ->required();
+        ->type_name("FILE");
     add_scoring_options(*command, *a);
+    add_model_options(*command, *a);
     command
         ->add_option("--picture",
                      a->picture,
@@ -190,11 +272,12 @@ void add_score_command(CLI::App& app) {
     command->add_flag("--json", a->as_json, "Print JSON instead of a table");
     command->footer(
         "Example: inkbench score pred.png truth.exr --tol 1 --json\n"
-        "compare scores with the ignore label and band of the .exr, and each method's own "
+        "         inkbench score render.exr --model scene.glb --views file\n"
+        "compare scores with the ignore label and band of the truth, and each method's own "
         "--threshold.\n"
         "Exit codes: 0 done, 1 F is below --fail-under or no image of a folder has a score, 2 bad "
         "input, 3 some\nimages of a folder have no score.");
-    command->callback([a] { run_score(*a); });
+    command->callback([a, command] { run_score(*a, *command); });
 }
 
 }  // namespace ink::cli

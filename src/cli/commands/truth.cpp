@@ -7,7 +7,7 @@
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
-#include "cli/place.h"
+#include "cli/traced_view.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
@@ -44,18 +44,17 @@ struct TruthArgs {
 };
 
 /// In the format that the name asks for.
-void write_truth(const harness::SceneViews& scene_views,
-                 const truth::TruthOptions& options,
-                 const harness::ViewTruth& truth,
+void write_truth(const TracedView& traced,
+                 const draw::TruthOrigin& origin,
                  const std::filesystem::path& path) {
     if (path.extension() == ".exr") {
-        draw::write_truth_exr(scene_views, options, truth.traced, path);
+        draw::write_truth_exr(origin, traced.truth.traced, path);
     } else if (path.extension() == ".svg") {
         core::write_whole_file(
             path,
-            draw::outline_svg(truth.traced, scene_views.scene.name, scene_views.views.front()));
+            draw::outline_svg(traced.truth.traced, traced.scene_views.scene.name, traced.view()));
     } else {
-        draw::write_truth_labels(truth.counted_labels(), path);
+        draw::write_truth_png(origin, traced.truth, path);
     }
 }
 
@@ -78,10 +77,10 @@ std::string default_disagreement(const scene::Scene& scene, const scene::View& v
 
 /// Holds the truth against its cross-check and the rasterizer against Embree; false if either
 /// fails.
-bool check_truth(const TruthArgs& args,
-                 truth::SceneModel& model,
-                 const scene::View& view,
-                 const truth::Truth& truth) {
+bool check_truth(const TruthArgs& args, TracedView& traced) {
+    const truth::Truth& truth = traced.truth.traced;
+    const scene::View& view = traced.view();
+    truth::SceneModel& model = traced.model;
     const harness::Crosscheck check =
         harness::cached_crosscheck(model, view, truth, cache_folder(args.cache));
     const draw::IdAgreement ids = draw::compare_ids(model.scene(), view, raster::DepthFormat::q32);
@@ -99,19 +98,23 @@ bool check_truth(const TruthArgs& args,
     return is_agreed && ids.other == 0;
 }
 
-/// A view that is too large to trace is told in one line, exit code 1.
-harness::ViewTruth traced_or_refused(truth::SceneModel& model,
-                                     const scene::View& view,
-                                     const harness::TraceOptions& options) {
-    try {
-        return harness::trace_view(model, view, options);
-    } catch (const truth::TooLarge& reason) {
-        fmt::print(stderr, "inkbench: {}: too_large: {}\n", model.scene().name, reason.what());
-        throw CLI::RuntimeError(1);
-    }
+/// The command without what does not say which truth it is, and without size and file, which a
+/// reader of it gives anew.
+std::string command_of_truth(const CLI::App& command) {
+    return recorded_command(command,
+                            {"--size",
+                             "--output",
+                             "--svg",
+                             "--image",
+                             "--sampled",
+                             "--crosscheck",
+                             "--disagreement",
+                             "--threads",
+                             "--cache",
+                             "--no-cache"});
 }
 
-void run_truth(TruthArgs args) {
+void run_truth(TruthArgs args, const CLI::App& command) {
     if (args.disagreement && !args.crosscheck) {
         throw core::Error("--disagreement", "there is no cross-check to disagree", "--crosscheck");
     }
@@ -123,26 +126,23 @@ void run_truth(TruthArgs args) {
     for (const auto& file : {args.image, args.sampled, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
-    const harness::SceneViews scene_views =
-        harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views));
-    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
-    harness::report_progress(options.truth);
-    truth::SceneModel model(scene_views.scene, options.truth);
-    const harness::ViewTruth truth = traced_or_refused(model, scene_views.views.front(), options);
+    TracedView traced(
+        harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views)),
+        options);
+    const scene::Scene& scene = traced.scene_views.scene;
     if (args.crosscheck && !args.disagreement) {
-        args.disagreement = default_disagreement(scene_views.scene, scene_views.views.front());
+        args.disagreement = default_disagreement(scene, traced.view());
     }
-    if (args.file) write_truth(scene_views, options.truth, truth, *args.file);
-    if (args.svg) write_truth(scene_views, options.truth, truth, *args.svg);
-    if (args.image) draw::write_truth_image(truth.counted_labels(), *args.image);
-    if (args.sampled) draw::write_responses(truth.traced.sampled, *args.sampled);
+    const draw::TruthOrigin origin{traced.scene_views, options.truth, command_of_truth(command)};
+    if (args.file) write_truth(traced, origin, *args.file);
+    if (args.svg) write_truth(traced, origin, *args.svg);
+    if (args.image) draw::write_truth_image(traced.truth.counted_labels(), *args.image);
+    if (args.sampled) draw::write_responses(traced.truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
-               scene_views.scene.name,
-               scene_views.views.front().camera.name,
-               harness::truth_summary(truth.traced));
-    if (args.crosscheck && !check_truth(args, model, scene_views.views.front(), truth.traced)) {
-        throw CLI::RuntimeError(1);
-    }
+               scene.name,
+               traced.view().camera.name,
+               harness::truth_summary(traced.truth.traced));
+    if (args.crosscheck && !check_truth(args, traced)) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ void add_truth_command(CLI::App& app) {
         "Exit codes: 0 done, 1 the view is too large, or with --crosscheck: agreement below 99.9 % "
         "of "
         "a class; 2 bad input.");
-    command->callback([args] { run_truth(*args); });
+    command->callback([args, command] { run_truth(*args, *command); });
 }
 
 }  // namespace ink::cli

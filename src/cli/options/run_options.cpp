@@ -144,7 +144,7 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
 }
 
 MeasureArgs::MeasureArgs(const std::string& name, const std::string& out) {
-    options.usual().where = "inkbench " + name;
+    options.usual().where = name;
     options.usual().name = name;
     folder.out = out;
 }

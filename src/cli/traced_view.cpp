@@ -1,0 +1,31 @@
+#include "cli/traced_view.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <utility>
+
+#include "cli/place.h"
+
+namespace ink::cli {
+namespace {
+
+truth::TruthOptions with_progress(truth::TruthOptions options) {
+    harness::report_progress(options);
+    return options;
+}
+
+}  // namespace
+
+TracedView::TracedView(harness::SceneViews traced, harness::TraceOptions options)
+    : scene_views(std::move(traced)), model(scene_views.scene, with_progress(options.truth)) {
+    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    try {
+        truth = harness::trace_view(model, view(), options);
+    } catch (const truth::TooLarge& reason) {
+        fmt::print(stderr, "inkbench: {}: too_large: {}\n", scene_views.scene.name, reason.what());
+        throw CLI::RuntimeError(1);
+    }
+}
+
+}  // namespace ink::cli
