@@ -1,4 +1,4 @@
-#include "draw/score_files.h"
+#include "draw/score_folders.h"
 
 #include <gmock/gmock.h>
 

@@ -121,6 +121,12 @@ TEST(BadName, Parameter) {
     const Desk desk;
     expect_refused(desk, "compare --set treshold=100 --out out", "threshold");
     expect_refused(desk, "draw torus --methods mote4 --set nosuch=1 -o a.png", "nosuch");
+    expect_refused(desk, "compare --set threshold=9 torus", {"a scene stands before --set"});
+}
+
+TEST(BadName, NewMethod) {
+    expect_refused(
+        Desk(), "new-method Foo-Bar", {"inkbench: new-method: a method cannot be called"});
 }
 
 TEST(BadName, ListTopic) {

@@ -257,6 +257,15 @@ TEST(Report, IsMadeFromTheFolderAloneWhereverItIs) {
     std::filesystem::rename(desk.work() / "out", desk.work() / "elsewhere/out");
     EXPECT_THAT(expect_done(desk, "report elsewhere/out -o again.html"), HasSubstr("again.html"));
     EXPECT_EQ(desk.read("again.html"), page);
+    const std::string views = "elsewhere/out/images/cube/front/";
+    desk.write(views + "layer_object.png", "");
+    const Outcome unshown = desk.run("report elsewhere/out");
+    EXPECT_EQ(unshown.exit_code, 0);
+    EXPECT_THAT(unshown.err, HasSubstr(views + "layer_object.png: the file is empty"));
+    desk.write(views + "ids.png", "");
+    const Outcome shown = desk.run("report elsewhere/out");
+    EXPECT_EQ(shown.exit_code, 2) << "the page shows it";
+    EXPECT_THAT(shown.err, HasSubstr(views + "ids.png: the file is empty"));
     EXPECT_THAT(refusal(desk, "report elsewhere/out elsewhere/out"), HasSubstr("-o FILE.html"));
     EXPECT_THAT(refusal(desk, {"report", "nowhere"}), HasSubstr("there is no run in it"));
 }
@@ -361,7 +370,8 @@ TEST(DrawTruthScore, WorkHandInHand) {
     EXPECT_EQ(json.at("k"), json.at("n_truth"));
     EXPECT_GT(json.at("n_truth"), 100);
     for (const std::string& key : Words("k n_pred n_truth f precision recall surplus off_line lost "
-                                        "missing mean_width classes")) {
+                                        "missing mean_width unmatched_duplicates false_positives "
+                                        "unmatched_truth false_negatives mean_width_px classes")) {
         EXPECT_TRUE(json.contains(key)) << key;
     }
 }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/program/run_program.h"
@@ -47,6 +48,137 @@ TEST(Score, FoldersGiveALineEachAndTellWhatIsMissing) {
     EXPECT_THAT(desk.read("errors/cube.png"), StartsWith("\x89PNG"));
     refusal(desk, "score drawn truths/cube.exr");
     refusal(desk, "score drawn/cube.png truths/cube.exr --polarity x");
+}
+
+TEST(Score, FilesWithoutATruthAreNamed) {
+    const Desk desk;
+    for (const char* folder : {"truths", "drawn"})
+        std::filesystem::create_directories(desk.work() / folder);
+    ASSERT_EQ(desk.run({"truth", "cube", "--size", "96x54", "-o", "truths/cube.png"}).exit_code, 0);
+    for (const char* name : {"drawn/cube.png", "drawn/extra.png"})
+        ASSERT_EQ(desk.run({"draw", "cube", "--size", "96x54", "-o", name}).exit_code, 0);
+    const Outcome scored = desk.run({"score", "drawn", "truths", "--json"});
+    EXPECT_EQ(scored.exit_code, 0);
+    EXPECT_THAT(scored.err, HasSubstr("truths has no truth for extra.png"));
+    EXPECT_EQ(nlohmann::json::parse(scored.out).at("unmatched"), nlohmann::json({"extra.png"}));
+}
+
+TEST(Score, AModelIsTracedInTheSizeOfTheImage) {
+    const Desk desk;
+    for (const char* truth : {"truth.exr", "truth.png"})
+        ASSERT_EQ(desk.run({"truth", "torus", "--size", "160x90", "-o", truth}).exit_code, 0);
+    for (const char* file : {"drawn.exr", "drawn.png"}) {
+        ASSERT_EQ(desk.run({"draw", "torus", "--method", "ids", "--size", "160x90", "-o", file})
+                      .exit_code,
+                  0);
+    }
+    const std::string expected = desk.run({"score", "drawn.png", "truth.exr", "--json"}).out;
+    EXPECT_EQ(desk.run({"score", "drawn.png", "truth.png", "--json"}).out, expected);
+    EXPECT_EQ(desk.run({"score", "drawn.png", "--model", "torus", "--json"}).out, expected);
+    const auto from_exr =
+        nlohmann::json::parse(desk.run({"score", "drawn.exr", "--model", "torus", "--json"}).out);
+    EXPECT_EQ(from_exr.at("f"), nlohmann::json::parse(expected).at("f"));
+    EXPECT_LT(std::filesystem::file_size(desk.work() / "truth.png"), 4000U);
+
+    const auto refusal = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = desk.run(words);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+        return outcome.err;
+    };
+    EXPECT_THAT(refusal({"score", "drawn.png", "--model", "torus", "--size", "64x36"}),
+                HasSubstr("inkbench score drawn.png --model torus"));
+    EXPECT_THAT(refusal({"score", "drawn.png", "truth.exr", "--model", "torus"}),
+                HasSubstr("there is a --model beside it"));
+    EXPECT_THAT(refusal({"score", "drawn.png"}), HasSubstr("truth: it is missing"));
+    EXPECT_THAT(refusal({"score", "drawn.png", "truth.exr", "--views", "3"}),
+                HasSubstr("--views requires --model"));
+    EXPECT_THAT(refusal({"score", ".", "--model", "torus"}), HasSubstr("one image"));
+}
+
+/// Ten pictures of drawn.png, dark lines on white, as they come from elsewhere.
+constexpr const char* kTenImages = R"(
+import numpy as np
+from PIL import Image, ImageOps
+
+drawn = Image.open("drawn.png").convert("L")
+grey = np.array(drawn)
+ink = 255 - grey
+
+def overlay(value):
+    rgba = np.full(grey.shape + (4,), value, np.uint8)
+    rgba[..., 3] = ink
+    return Image.fromarray(rgba)
+
+Image.fromarray(grey.astype(np.uint16) * 257).save("sixteen.png")
+overlay(0).save("black_overlay.png")
+overlay(255).save("white_overlay.png")
+yellow = np.stack([np.full_like(grey, 255), np.full_like(grey, 240), grey], -1)
+yellow[grey == 255] = 255
+Image.fromarray(yellow).save("yellow.png")
+ImageOps.flip(drawn).save("flipped.png")
+ImageOps.mirror(drawn).save("mirrored.png")
+shifted = np.full_like(grey, 255)
+shifted[:-3, 8:] = grey[3:, :-8]
+Image.fromarray(shifted).save("shifted.png")
+Image.new("RGB", drawn.size, (255, 255, 255)).save("blank.png")
+drawn.save("photo.jpg", quality=60)
+)";
+
+TEST(Score, OfTenImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
+    const Desk desk;
+    if (desk.run_other("/usr/bin/python3", {"-c", "import numpy, PIL"}).exit_code != 0)
+        GTEST_SKIP() << "needs /usr/bin/python3 with numpy and Pillow";
+    const std::vector<std::string> view = {"blocks", "--size", "320x180"};
+    const auto run = [&](const char* command, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {command};
+        words.insert(words.end(), view.begin(), view.end());
+        words.insert(words.end(), more.begin(), more.end());
+        ASSERT_EQ(desk.run(words).exit_code, 0) << command;
+    };
+    run("truth", {"-o", "truth.png", "--intersections", "above_crease"});
+    run("draw", {"--method", "surface8", "-o", "drawn.png"});
+    run("draw", {"--method", "surface8", "-o", "float.exr"});
+    desk.write("ten.py", kTenImages);
+    ASSERT_EQ(desk.run_other("/usr/bin/python3", {"ten.py"}).exit_code, 0);
+    const auto score = [&](const std::string& file) {
+        const Outcome outcome = desk.run({"score", file, "truth.png", "--json"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    };
+    const double f = score("drawn.png").at("f");
+    EXPECT_GT(f, 0.9);
+
+    struct Said {
+        std::string notes;
+        std::string doubts;
+    };
+    const std::map<std::string, Said> of_images = {
+        {"drawn.png", {"", ""}},
+        {"sixteen.png", {"16 bits rounded to 8", ""}},
+        {"float.exr", {"float values as a screen shows them (sRGB)", ""}},
+        {"black_overlay.png", {"its alpha laid over white", ""}},
+        {"white_overlay.png", {"its alpha laid over black", ""}},
+        {"yellow.png", {"lines by the blue channel", ""}},
+        {"photo.jpg", {"", ""}},
+        {"flipped.png", {"", "flipped.png: it seems to be upside down"}},
+        {"mirrored.png", {"", "mirrored.png: it seems to be mirrored"}},
+        {"shifted.png",
+         {"", "shifted.png: it seems to be shifted by 8 px to the right and 3 px up"}},
+        {"blank.png", {"", "blank.png: it is blank"}}};
+    for (const auto& [file, said] : of_images) {
+        SCOPED_TRACE(file);
+        const auto json = score(file);
+        const auto text = [&](const char* key) {
+            return json.at(key).empty() ? "" : json.at(key).at(0).get<std::string>();
+        };
+        EXPECT_EQ(text("notes"), said.notes);
+        EXPECT_EQ(text("doubts"), said.doubts);
+        if (said.doubts.empty()) {
+            EXPECT_NEAR(json.at("f"), f, 0.01);
+        } else {
+            EXPECT_LT(json.at("f"), f - 0.1) << "the score stays what it is";
+        }
+    }
 }
 
 }  // namespace

@@ -32,6 +32,22 @@ fs::path page_path(const ReportArgs& args) {
         "report", "several runs have no folder in common for their page", "-o FILE.html");
 }
 
+/// Says on stderr which images of a run are empty. The page opens those that it shows, and refuses
+/// them; figures need the others.
+void print_empty_images(const fs::path& run) {
+    std::vector<std::string> empty;
+    std::error_code failure;
+    for (auto entry = fs::recursive_directory_iterator(run / "images", failure);
+         !failure && entry != fs::recursive_directory_iterator();
+         entry.increment(failure)) {
+        if (entry->is_regular_file() && entry->file_size() == 0)
+            empty.push_back(entry->path().string());
+    }
+    std::sort(empty.begin(), empty.end());
+    for (const std::string& file : empty)
+        fmt::print(stderr, "inkbench: {}: the file is empty\n", file);
+}
+
 }  // namespace
 
 void add_report_command(CLI::App& app) {
@@ -55,6 +71,8 @@ void add_report_command(CLI::App& app) {
             runs.push_back(experiment::read_run(folder));
         report::write_run_page(runs, file);
         fmt::print("report: {}\n", file.string());
+        for (const std::string& folder : args->folders)
+            print_empty_images(folder);
     });
 }
 

@@ -186,7 +186,8 @@ void add_truth_command(CLI::App& app) {
     add_quiet_option(*command);
     command->footer(
         "Example: inkbench truth staircase -o truth.png --image lines.png\n"
-        "Score against it with --ignore 7: inkbench score drawn.png truth.png --ignore 7 --band 6\n"
+        "The .png has a few kB, and says how it wants to be scored, as the .exr does:\n"
+        "inkbench score drawn.png truth.png\n"
         "With --intersections above_crease, those below the crease angle are 7 too, as in "
         "compare.\n"
         "Exit codes: 0 done, 1 the view is too large, or with --crosscheck: agreement below 99.9 % "
