@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -114,11 +115,16 @@ std::string score_table(const std::filesystem::path& prediction,
 
 std::string folder_table(const std::vector<draw::FolderScore>& scores) {
     core::Cells cells{{"image", "F", "precision", "recall", "predicted", "true"}};
+    std::map<std::string, std::string> read_as;  // the images by how they were read
     std::string unscored;
     for (const draw::FolderScore& each : scores) {
         if (!each.score) {
             unscored += fmt::format("no score: {}: {}\n", each.name, each.status);
             continue;
+        }
+        if (!each.notes.empty()) {
+            std::string& names = read_as[fmt::format("{}", fmt::join(each.notes, "; "))];
+            names += (names.empty() ? "" : ", ") + each.name;
         }
         cells.push_back({each.name,
                          four_places(each.score->f()),
@@ -134,7 +140,10 @@ std::string folder_table(const std::vector<draw::FolderScore>& scores) {
                      "",
                      std::to_string(all.n_pred),
                      std::to_string(all.n_truth)});
-    return core::aligned(cells) + unscored;
+    std::string text = core::aligned(cells) + unscored;
+    for (const auto& [how, names] : read_as)
+        text += fmt::format("read as {}: {}\n", how, names);
+    return text;
 }
 
 std::string folder_json(const std::vector<draw::FolderScore>& scores,
@@ -143,6 +152,10 @@ std::string folder_json(const std::vector<draw::FolderScore>& scores,
     for (const draw::FolderScore& each : scores) {
         Json image = each.score ? counts_json(*each.score) : Json::object();
         image["status"] = each.status;
+        if (each.score) {
+            image["notes"] = each.notes;
+            image["doubts"] = each.doubts;
+        }
         result["images"][each.name] = std::move(image);
     }
     const score::CurveCount all = draw::pooled(scores);

@@ -84,6 +84,8 @@ std::vector<FolderScore> score_folders(
         }
         try {
             const FilesScore scored = score_files(prediction->second, truth, request);
+            result.notes = scored.notes;
+            result.doubts = scored.doubts;
             if (scored.score.n_truth == 0) {
                 result.status = kNoTruth;
                 continue;

@@ -55,12 +55,16 @@ TEST(Score, FilesWithoutATruthAreNamed) {
     for (const char* folder : {"truths", "drawn"})
         std::filesystem::create_directories(desk.work() / folder);
     ASSERT_EQ(desk.run({"truth", "cube", "--size", "96x54", "-o", "truths/cube.png"}).exit_code, 0);
-    for (const char* name : {"drawn/cube.png", "drawn/extra.png"})
+    for (const char* name : {"drawn/cube.exr", "drawn/extra.png"})
         ASSERT_EQ(desk.run({"draw", "cube", "--size", "96x54", "-o", name}).exit_code, 0);
     const Outcome scored = desk.run({"score", "drawn", "truths", "--json"});
     EXPECT_EQ(scored.exit_code, 0);
     EXPECT_THAT(scored.err, HasSubstr("truths has no truth for extra.png"));
-    EXPECT_EQ(nlohmann::json::parse(scored.out).at("unmatched"), nlohmann::json({"extra.png"}));
+    const auto json = nlohmann::json::parse(scored.out);
+    EXPECT_EQ(json.at("unmatched"), nlohmann::json({"extra.png"}));
+    EXPECT_EQ(json.at("images").at("cube").at("notes").size(), 1U);
+    EXPECT_THAT(desk.run({"score", "drawn", "truths"}).out,
+                HasSubstr("read as float values as a screen shows them (sRGB): cube\n"));
 }
 
 TEST(Score, AModelIsTracedInTheSizeOfTheImage) {
@@ -93,6 +97,54 @@ TEST(Score, AModelIsTracedInTheSizeOfTheImage) {
     EXPECT_THAT(refusal({"score", "drawn.png", "truth.exr", "--views", "3"}),
                 HasSubstr("--views requires --model"));
     EXPECT_THAT(refusal({"score", ".", "--model", "torus"}), HasSubstr("one image"));
+}
+
+/// A triangle and two cameras that see it.
+constexpr const char* kTwoCameras = R"({
+"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+"nodes": [{"mesh": 0}, {"camera": 0, "name": "near", "translation": [0.3, 0.3, 2]},
+          {"camera": 0, "name": "far", "translation": [0.3, 0.3, 4]}],
+"cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+               "min": [0, 0, 0], "max": [1, 1, 0]}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36,
+    "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]
+})";
+
+TEST(Score, AModelFileIsSeenByItsOwnCameras) {
+    const Desk desk;
+    desk.write("scene.gltf", kTwoCameras);
+    ASSERT_EQ(desk.run({"draw",
+                        "scene.gltf",
+                        "--views",
+                        "file",
+                        "--view",
+                        "far",
+                        "--method",
+                        "ids",
+                        "--size",
+                        "160x90",
+                        "-o",
+                        "render.exr"})
+                  .exit_code,
+              0);
+    const auto f_of = [&](const std::string& view) {
+        const Outcome scored = desk.run({"score",
+                                         "render.exr",
+                                         "--model",
+                                         "scene.gltf",
+                                         "--views",
+                                         "file",
+                                         "--view",
+                                         view,
+                                         "--json"});
+        EXPECT_EQ(scored.exit_code, 0) << scored.err;
+        return nlohmann::json::parse(scored.out).at("f").get<double>();
+    };
+    EXPECT_GT(f_of("far"), 0.9);
+    EXPECT_LT(f_of("near"), 0.5);
 }
 
 /// Ten pictures of drawn.png, dark lines on white, as they come from elsewhere.
