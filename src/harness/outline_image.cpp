@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "image_io/image_file.h"
+#include "image_io/picture_file.h"
 #include "score/polarity.h"
 
 namespace ink::harness {
@@ -100,7 +100,7 @@ glm::dvec3 commonest(const Colours& colours) {
     return most->sum / static_cast<double>(most->count);
 }
 
-/// How near each pixel's colour is to the ground's: 0 for the same, 255 for the farthest there is.
+/// How far each pixel's colour is from the ground's: 0 for the same, 255 for the farthest there is.
 Gray distances(const Colours& colours, const glm::dvec3& ground) {
     double farthest = 1;
     for (std::size_t i = 0; i < colours.size(); ++i)
@@ -195,8 +195,8 @@ bool read_coloured_lines(const Colours& colours, Polarity polarity, OutlineImage
         if (shown.contrast <= 0 || shown.contrast < kAsGood * best) continue;
         if (shown.note.empty()) return false;
         if (shown.is_inverted) score::invert(shown.values);
-        if (is_automatic && score::has_dark_lines(shown.values))
-            continue;  // the ground would count
+        const bool would_ground_count = is_automatic && score::has_dark_lines(shown.values);
+        if (would_ground_count) continue;
         outline.responses = std::move(shown.values);
         outline.is_inverted = shown.is_inverted;
         outline.notes.push_back(std::move(shown.note));

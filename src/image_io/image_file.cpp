@@ -1,14 +1,12 @@
 #include "image_io/image_file.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <system_error>
-#include <type_traits>
 
 #include "core/error.h"
 #include "core/whole_file.h"
@@ -21,7 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
 constexpr const char* kAccepted = "an 8-bit grey or colour image, such as a PNG";
-constexpr const char* kPictureAccepted = "a grey or colour image, such as a PNG or an EXR";
 
 /// What the file system alone can tell to be wrong.
 void check_file(const fs::path& path, const char* accepted) {
@@ -62,44 +59,6 @@ void check_not_cut(const fs::path& path, const char* accepted) {
     throw core::Error(path.string(), "the file is cut off", accepted);
 }
 
-/// A file that was opened, and what its library says of it.
-struct OpenFile {
-    std::unique_ptr<OIIO::ImageInput> input;
-    OIIO::ImageSpec spec;
-};
-
-OpenFile open_image(const fs::path& path, const char* accepted) {
-    check_file(path, accepted);
-    check_not_cut(path, accepted);
-    OIIO::ImageSpec wishes;
-    wishes.attribute("oiio:UnassociatedAlpha", 1);
-    OpenFile file{OIIO::ImageInput::open(path.string(), &wishes), {}};
-    if (!file.input) {
-        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), accepted);
-    }
-    file.spec = file.input->spec();
-    const std::int64_t pixels = std::int64_t{file.spec.width} * file.spec.height;
-    if (file.spec.width < 1 || file.spec.height < 1 || file.spec.depth > 1 || pixels > kMaxPixels) {
-        throw core::Error(path.string(),
-                          fmt::format("its size is {} x {} px", file.spec.width, file.spec.height),
-                          "1 x 1 px to 2^27 px in all");
-    }
-    return file;
-}
-
-/// The channels [begin, end) of all pixels, as numbers of type T.
-template <class T>
-std::vector<T> read_samples(OpenFile& file, int begin, int end, const fs::path& path) {
-    std::vector<T> samples(static_cast<std::size_t>(file.spec.image_pixels()) *
-                           static_cast<std::size_t>(end - begin));
-    constexpr auto kType = std::is_same_v<T, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-    if (!file.input->read_image(0, 0, begin, end, kType, samples.data())) {
-        throw core::Error(
-            path.string(), "cannot be read: " + one_line(file.input->geterror()), kAccepted);
-    }
-    return samples;
-}
-
 /// Refuses what cannot become 8-bit grey without a guess.
 void check_is_gray(const OIIO::ImageSpec& spec, const fs::path& path) {
     if (spec.format != OIIO::TypeDesc::UINT8) {
@@ -126,57 +85,6 @@ GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec
             gray.texts[param.name().string()] = param.get_string();
     }
     return gray;
-}
-
-/// Which channels of a file are a picture; -1 where it has none.
-struct PictureChannels {
-    std::string layer;  ///< "" for the image itself
-    std::array<int, 3> colour = {-1, -1, -1};
-    int alpha = -1;
-};
-
-/// The channels of one layer; `colour` begins with -1 if they are no picture.
-PictureChannels channels_of_layer(const OIIO::ImageSpec& spec, const std::string& layer) {
-    const std::string dot = layer.empty() ? "" : layer + ".";
-    const auto find = [&](const char* name) { return spec.channelindex(dot + name); };
-    PictureChannels found{layer, {find("R"), find("G"), find("B")}, find("A")};
-    const bool has_colours = std::all_of(
-        found.colour.begin(), found.colour.end(), [](int channel) { return channel >= 0; });
-    if (!has_colours) found.colour.fill(find("Y"));
-    return found;
-}
-
-PictureChannels find_channels(const OIIO::ImageSpec& spec, const fs::path& path) {
-    PictureChannels found = channels_of_layer(spec, "");
-    if (found.colour[0] >= 0) return found;
-    for (const std::string& channel : spec.channelnames) {
-        const std::size_t dot = channel.rfind('.');
-        if (dot == std::string::npos) continue;
-        const PictureChannels layer = channels_of_layer(spec, channel.substr(0, dot));
-        const bool is_better =
-            layer.colour[0] >= 0 && (found.colour[0] < 0 || (found.colour[0] == found.colour[1] &&
-                                                             layer.colour[0] != layer.colour[1]));
-        if (is_better) found = layer;
-    }
-    if (found.colour[0] < 0 && spec.nchannels == 1) found.colour.fill(0);
-    if (found.colour[0] < 0 || spec.channelformat(found.colour[0]) == OIIO::TypeDesc::UINT32) {
-        throw core::Error(
-            path.string(),
-            fmt::format("its channels are no picture: {}", fmt::join(spec.channelnames, ", ")),
-            "channels R, G, B or Y, alone or in a layer");
-    }
-    return found;
-}
-
-/// What a screen shows for linear light (IEC 61966-2-1), 0..1.
-float shown(float light) {
-    if (!(light > 0)) return 0;  // NaN, too
-    if (light >= 1) return 1;
-    return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
-}
-
-std::uint8_t to_byte(float value) {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
 }
 
 /// A grey or RGB image, as the file library wants it.
@@ -230,6 +138,25 @@ void write(const Samples& samples, const fs::path& path) {
 
 }  // namespace
 
+OpenFile open_image(const fs::path& path, const char* accepted) {
+    check_file(path, accepted);
+    check_not_cut(path, accepted);
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    OpenFile file{OIIO::ImageInput::open(path.string(), &wishes), {}, path.string(), accepted};
+    if (!file.input) {
+        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), accepted);
+    }
+    file.spec = file.input->spec();
+    const std::int64_t pixels = std::int64_t{file.spec.width} * file.spec.height;
+    if (file.spec.width < 1 || file.spec.height < 1 || file.spec.depth > 1 || pixels > kMaxPixels) {
+        throw core::Error(path.string(),
+                          fmt::format("its size is {} x {} px", file.spec.width, file.spec.height),
+                          "1 x 1 px to 2^27 px in all");
+    }
+    return file;
+}
+
 core::Image<std::uint8_t> read_gray(const fs::path& path) {
     return read_gray_file(path).pixels;
 }
@@ -237,43 +164,7 @@ core::Image<std::uint8_t> read_gray(const fs::path& path) {
 GrayFile read_gray_file(const fs::path& path) {
     OpenFile file = open_image(path, kAccepted);
     check_is_gray(file.spec, path);
-    return to_gray(read_samples<std::uint8_t>(file, 0, file.spec.nchannels, path), file.spec);
-}
-
-Picture read_picture(const fs::path& path) {
-    OpenFile file = open_image(path, kPictureAccepted);
-    const PictureChannels channels = find_channels(file.spec, path);
-    const auto [least, most] =
-        std::minmax({channels.colour[0],
-                     channels.colour[1],
-                     channels.colour[2],
-                     channels.alpha < 0 ? channels.colour[0] : channels.alpha});
-    const std::vector<float> samples = read_samples<float>(file, least, most + 1, path);
-    const OIIO::TypeDesc type = file.spec.channelformat(channels.colour[0]);
-    // Float files have light, multiplied by alpha; whole numbers are what a screen gets.
-    const bool is_light = type.is_floating_point();
-    Picture picture{core::Image<Rgb>(file.spec.width, file.spec.height), {}};
-    if (channels.alpha >= 0)
-        picture.alpha = core::Image<std::uint8_t>(file.spec.width, file.spec.height);
-    const auto stride = static_cast<std::size_t>(most + 1 - least);
-    for (std::size_t i = 0; i < picture.colour.size(); ++i) {
-        const float* pixel = samples.data() + i * stride;
-        const float alpha = channels.alpha < 0 ? 1 : pixel[channels.alpha - least];
-        for (int c = 0; c < 3; ++c) {
-            float value = pixel[channels.colour[static_cast<std::size_t>(c)] - least];
-            if (is_light) value = shown(alpha > 0 ? value / alpha : value);
-            picture.colour.data()[i][c] = to_byte(value);
-        }
-        if (channels.alpha >= 0) picture.alpha.data()[i] = to_byte(alpha);
-    }
-    if (!channels.layer.empty())
-        picture.notes.push_back(fmt::format("layer {} of it", channels.layer));
-    if (is_light) {
-        picture.notes.push_back("float values as a screen shows them (sRGB)");
-    } else if (type != OIIO::TypeDesc::UINT8) {
-        picture.notes.push_back(fmt::format("{} bits rounded to 8", 8 * type.size()));
-    }
-    return picture;
+    return to_gray(read_samples<std::uint8_t>(file, 0, file.spec.nchannels), file.spec);
 }
 
 std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {

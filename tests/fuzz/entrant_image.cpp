@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "entrants/image_folder.h"
-#include "image_io/image_file.h"
+#include "image_io/picture_file.h"
 #include "score/polarity.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scratch_file.h"

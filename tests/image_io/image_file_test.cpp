@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "image_io/exr_file.h"
+#include "image_io/picture_file.h"
 #include "tests/score/oracle_files.h"
 
 namespace {
@@ -204,7 +205,7 @@ TEST_F(ImageFile, APictureOfFloatsIsWhatAScreenShows) {
     const auto values = floats({0, 0.21586F, 1, 7, std::nanf("")});
     write_exr({{{"Y", values}}, {}}, file("light.exr"));
     const auto picture = read_picture(file("light.exr"));
-    constexpr int kShown[] = {0, 128, 255, 255, 0};
+    constexpr std::uint8_t kShown[] = {0, 128, 255, 255, 0};
     for (int x = 0; x < 5; ++x)
         EXPECT_EQ(picture.colour.at(x, 0), Rgb(kShown[x])) << x;
 }

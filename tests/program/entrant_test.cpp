@@ -44,6 +44,15 @@ TEST(Entrant, TheReadmesTenLinesOfPythonTakePart) {
     const std::string program = write_program(desk, "lines.py", readme_program());
     EXPECT_THAT(expect_done(desk, fmt::format("entrant-test {} --size 160x90", program)),
                 HasSubstr("is ready"));
+    const std::string flips = write_program(
+        desk,
+        "flips",
+        "#!/bin/sh\n" + (desk.work() / "lines.py").string() +
+            " \"$1\" \"$2\" && /usr/bin/python3 -c 'import sys; from PIL import Image, ImageOps\n"
+            "ImageOps.flip(Image.open(sys.argv[1])).save(sys.argv[1])' \"$2\"\n");
+    const Outcome flipped = desk.run({"entrant-test", flips, "--size", "160x90"});
+    EXPECT_EQ(flipped.exit_code, 1);
+    EXPECT_THAT(flipped.out, HasSubstr("it seems to be upside down"));
     EXPECT_THAT(
         expect_done(desk,
                     fmt::format("compare --scenes cube,torus --methods ids --size 160x90 --entrant "
