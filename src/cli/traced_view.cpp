@@ -17,7 +17,7 @@ truth::TruthOptions with_progress(truth::TruthOptions options) {
 
 }  // namespace
 
-TracedView::TracedView(harness::SceneViews traced, harness::TraceOptions options)
+TracedView::TracedView(harness::SceneViews traced, const harness::TraceOptions& options)
     : scene_views(std::move(traced)), model(scene_views.scene, with_progress(options.truth)) {
     print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
     try {

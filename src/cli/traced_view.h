@@ -9,7 +9,7 @@ namespace ink::cli {
 struct TracedView {
     /// Traces the first view; says on stderr how far it is and what of the model's file does not
     /// count. A view that is too large to trace is told in one line, exit code 1.
-    TracedView(harness::SceneViews traced, harness::TraceOptions options);
+    TracedView(harness::SceneViews traced, const harness::TraceOptions& options);
     TracedView(const TracedView&) = delete;  // the model refers to the scene
     TracedView& operator=(const TracedView&) = delete;
 

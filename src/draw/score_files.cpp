@@ -110,9 +110,9 @@ std::string label_text(int label) {
     return std::to_string(label);
 }
 
-FilesScore score_images(Named<harness::OutlineImage> prediction,
-                        Named<TruthLabels> truth,
-                        const ScoreRequest& request) {
+FilesScore score_outline(Named<harness::OutlineImage> prediction,
+                         Named<TruthLabels> truth,
+                         const ScoreRequest& request) {
     FilesScore scored;
     scored.options = request.options;
     if (!scored.options.ignore_label) scored.options.ignore_label = truth.held.ignore_label;
@@ -140,7 +140,7 @@ FilesScore score_files(const fs::path& prediction,
     score::ScoreOptions options = request.options;
     if (request.band_px) options.band_px = *request.band_px;
     score::check(options);  // before anything is read
-    return score_images(
+    return score_outline(
         {prediction.string(), harness::read_outline_image(prediction, request.polarity)},
         {truth.string(), read_truth_labels(truth, request.intersections)},
         request);

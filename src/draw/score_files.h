@@ -58,9 +58,9 @@ struct Named {
                                      const ScoreRequest& request);
 
 /// The same of what was read or traced already.
-[[nodiscard]] FilesScore score_images(Named<harness::OutlineImage> prediction,
-                                      Named<TruthLabels> truth,
-                                      const ScoreRequest& request);
+[[nodiscard]] FilesScore score_outline(Named<harness::OutlineImage> prediction,
+                                       Named<TruthLabels> truth,
+                                       const ScoreRequest& request);
 
 /// What is right and wrong of it, in colour (error_image.h).
 [[nodiscard]] RgbImage picture_of(const FilesScore& scored);

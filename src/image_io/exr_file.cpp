@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
 constexpr const char* kAccepted = "an OpenEXR file";
 
 struct Size {
@@ -179,20 +178,14 @@ void write_exr(const ExrFile& file, const fs::path& path) {
 }
 
 ExrFile read_exr(const fs::path& path) {
-    std::error_code error;
-    if (!fs::exists(path, error)) throw core::Error(path.string(), "no such file", kAccepted);
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input) {
-        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), kAccepted);
-    }
-    const OIIO::ImageSpec spec = input->spec();
-    const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
-    if (std::string_view(input->format_name()) != "openexr" || pixels < 1 || pixels > kMaxPixels) {
+    const OpenFile opened = open_image(path, kAccepted);
+    const OIIO::ImageSpec& spec = opened.spec;
+    if (std::string_view(opened.input->format_name()) != "openexr") {
         throw core::Error(path.string(), "this is not such a file", kAccepted);
     }
     ExrFile file;
     for (int i = 0; i < spec.nchannels; ++i)
-        file.channels.push_back(read_channel(*input, spec, i, path));
+        file.channels.push_back(read_channel(*opened.input, spec, i, path));
     std::sort(file.channels.begin(), file.channels.end(), [](const auto& a, const auto& b) {
         return a.name < b.name;
     });

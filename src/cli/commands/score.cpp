@@ -94,13 +94,13 @@ draw::FilesScore score_against_model(const ScoreArguments& a,
     const TracedView traced(harness::load_one_view(a.model, a.view, request),
                             experiment::trace_of(a.options.read(), cache_folder(a.cache)));
     truth_name = fmt::format("{}, view {}", a.model, traced.view().camera.name);
-    return draw::score_images({a.prediction.string(), std::move(image)},
-                              {truth_name,
-                               {traced.truth.counted_labels(),
-                                static_cast<int>(truth::LineClass::ignore),
-                                harness::kBand_px,
-                                true}},
-                              a.request);
+    return draw::score_outline({a.prediction.string(), std::move(image)},
+                               {truth_name,
+                                {traced.truth.counted_labels(),
+                                 static_cast<int>(truth::LineClass::ignore),
+                                 harness::kBand_px,
+                                 true}},
+                               a.request);
 }
 
 void score_pair(const ScoreArguments& a, const CLI::App& command) {
