@@ -44,6 +44,18 @@ json methods_json(const std::vector<harness::Row>& rows) {
     });
 }
 
+json answer_json(const std::vector<harness::Row>& rows, const summary::AnswerRule& rule) {
+    const auto summaries = summary::summarise(rows);
+    const summary::Answer answer = summary::find_answer(summaries, rule);
+    const auto name_of = [](const summary::MethodSummary* s) {
+        return s == nullptr ? json(nullptr) : json(s->method);
+    };
+    return {{"method", name_of(answer.method)},
+            {"most_exact", name_of(answer.most_exact)},
+            {"f_margin", rule.f_margin},
+            {"budget_ms", rule.budget_ms}};
+}
+
 using UnscoredCells = std::vector<summary::Unscored>;
 
 json unscored_json(const UnscoredCells& cells) {
@@ -65,15 +77,20 @@ json result_json(const experiment::RunData& run,
             {"state", experiment::name(record.state)},
             {"page", page.string()},
             {"methods", methods_json(run.tables.rows)},
+            {"answer", answer_json(run.tables.rows, record.answer)},
             {"unscored", unscored_json(unscored)},
             {"missing", record.missing_blocks},
             {"faults", record.faults}};
 }
 
-void print_comparison(const experiment::RunTables& tables, bool one_place) {
+report::VerdictOptions verdict_options(const experiment::RunRecord& record) {
+    return {record.answer, static_cast<int>(record.missing_blocks.size()), record.blocks};
+}
+
+void print_comparison(const experiment::RunTables& tables, const experiment::RunRecord& record) {
     if (tables.rows.empty()) return;
     const harness::Row& first = tables.rows.front();
-    if (!one_place) {
+    if (!record.one_place) {
         fmt::print(
             "At {}x{} px on {} thread(s); the other sizes and numbers of threads are in "
             "rows.csv.\n",
@@ -81,7 +98,7 @@ void print_comparison(const experiment::RunTables& tables, bool one_place) {
             first.height,
             first.threads);
     }
-    fmt::print("{}\n", report::verdict_table(tables.rows));
+    fmt::print("{}\n", report::verdict_table(tables.rows, verdict_options(record)));
 }
 
 void print_warnings(const experiment::RunRecord& record,
@@ -114,12 +131,13 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     experiment::keep_one_place(run.tables);
     const std::vector<harness::Row>& rows = run.tables.rows;
     if (!rows.empty()) {
-        core::write_whole_file(folder / "verdict.md", report::verdict_markdown(rows));
+        core::write_whole_file(folder / "verdict.md",
+                               report::verdict_markdown(rows, verdict_options(run.record)));
     }
     if (is_json) {
         fmt::print("{}\n", result_json(run, unscored, page).dump(2));
     } else {
-        print_comparison(run.tables, run.record.one_place);
+        print_comparison(run.tables, run.record);
         fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
         if (!run.tables.bounds.empty())
             fmt::print("{}", linear_code::bound_table(run.tables.bounds));

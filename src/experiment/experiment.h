@@ -12,6 +12,7 @@
 #include "methods/method_configs.h"
 #include "score/intersections.h"
 #include "studies/axis.h"
+#include "summary/answer.h"
 
 namespace ink::experiment {
 
@@ -79,11 +80,12 @@ struct Experiment {
     bool study_scaling = false;  ///< compare: scaling_axes.h too
     bool study_skips = false;    ///< compare: skip_axes.h too
     BoundRequest bound;
-    int repetitions = 15;     ///< timed drawings, at most
-    double budget_ms = 60;    ///< of drawing, after which repetitions end
-    bool full_scores = true;  ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
-    bool crosscheck = true;   ///< hold truths against the cross-check
-    bool times = true;        ///< false: columns of times stay empty
+    int repetitions = 15;        ///< timed drawings, at most
+    double budget_ms = 60;       ///< of drawing, after which repetitions end
+    bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
+    bool crosscheck = true;      ///< hold truths against the cross-check
+    bool times = true;           ///< false: columns of times stay empty
+    summary::AnswerRule answer;  ///< compare: how it is chosen; no row depends on it
 };
 
 /// Reads an experiment. Throws core::Error (where = file and line) that names key, value and what

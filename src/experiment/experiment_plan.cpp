@@ -26,11 +26,14 @@ void add_file(const std::string& scene, core::Hasher& hasher) {
     if (const auto bytes = core::read_whole_file(scene)) hasher.text(*bytes);
 }
 
-/// All that the rows depend on: what is asked for, down to every parameter, and who answers.
+/// All that the rows depend on: what is asked for, down to every parameter, and who answers. How
+/// the answer is chosen from them is not among it.
 std::string identity_of(const Experiment& experiment, const Plan& plan) {
     core::Hasher hasher;
     hasher.text(plan.build).text(core::provenance().compiler).text(core::provenance().flags);
-    hasher.text(plan.name).text(plan.kind).text(plan.asked);
+    Experiment rows = experiment;
+    rows.answer = {};
+    hasher.text(plan.name).text(plan.kind).text(asked_text(rows));
     for (const std::string& scene : experiment.scenes)
         add_file(scene, hasher);
     for (const RecordedTable& table : plan.tables)
@@ -93,6 +96,7 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.kind = name(experiment.kind);
     plan.command = experiment.command;
     plan.asked = asked_text(experiment);
+    plan.answer = experiment.answer;
     plan.times = experiment.times;
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
     plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));

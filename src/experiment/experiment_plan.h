@@ -65,6 +65,7 @@ struct RunHead {
     std::string identity;  ///< hash of all that rows depend on, the build included
     std::string build = build_text();
     std::string asked;  ///< a TOML document: every option, method and parameter
+    summary::AnswerRule answer = {};  ///< as `asked` has it
     bool times = true;
     bool one_place = true;  ///< one size and one number of threads: summaries mean something
     std::vector<RecordedTable> tables;

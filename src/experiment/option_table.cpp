@@ -234,6 +234,13 @@ OptionTable make_table() {
         &E::own_sweep_views, "sweep.own_views", {0, 10000}, "N",
         "Views of each scene on which sweeps are drawn");
 
+    in(kCompare, "--f-margin").number(
+        [](auto& e) -> auto& { return e.answer.f_margin; }, "answer.f_margin", {0, 1}, "F",
+        "The answer is the cheapest method whose F is at most this far below the best");
+    in(kCompare, "--budget-ms").number(
+        [](auto& e) -> auto& { return e.answer.budget_ms; }, "answer.budget_ms", {0, 1e6}, "MS",
+        "The answer is of the methods whose frame takes at most so long (0: any)");
+
     in(kCompare, "--scaling").flag(
         &E::study_scaling, "study.scaling",
         "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: rows of study scaling "

@@ -121,6 +121,10 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.command = root["command"].value_or(std::string());
     record.identity = root["identity"].value_or(std::string());
     record.build = root["build"].value_or(std::string());
+    const summary::AnswerRule usual;
+    const auto answer = root["asked"]["answer"];
+    record.answer = {answer["f_margin"].value_or(usual.f_margin),
+                     answer["budget_ms"].value_or(usual.budget_ms)};
     record.times = root["times"].value_or(true);
     record.one_place = root["one_place"].value_or(true);
     const auto names = methods::texts_of(root["tables"]["names"]);

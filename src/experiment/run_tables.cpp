@@ -65,7 +65,8 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
         tables.push_back({table.name, std::move(texts.at(table.name))});
     // Over several sizes or numbers of threads no one time of a method means anything.
     if (record.one_place && record.kind == "compare") {
-        tables.push_back({"summary.csv", summary::summary_csv(data.rows, data.curves)});
+        tables.push_back(
+            {"summary.csv", summary::summary_csv(data.rows, data.curves, record.answer)});
         tables.push_back({"differences.csv",
                           summary::differences_csv(summary::all_paired_differences(data.rows))});
     }

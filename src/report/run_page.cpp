@@ -31,6 +31,7 @@ std::string json_texts(const std::vector<std::string>& texts) {
 std::string record_json(const experiment::RunRecord& record) {
     return fmt::format(
         R"({{"name":{},"kind":{},"command":{},"identity":{},"build":{},"asked":{},"times":{},)"
+        R"("f_margin":{},"budget_ms":{},)"
         R"("state":{},"blocks":{},"blocks_done":{},"cells":{},"work_s":{},"missing_blocks":{},)"
         R"("faults":{}}})",
         json_text(record.name),
@@ -40,6 +41,8 @@ std::string record_json(const experiment::RunRecord& record) {
         json_text(record.build),
         json_text(record.asked),
         record.times,
+        record.answer.f_margin,
+        record.answer.budget_ms,
         json_text(experiment::name(record.state)),
         record.blocks,
         record.blocks_done,

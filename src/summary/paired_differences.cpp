@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "harness/tables/csv.h"
-#include "statistics/bootstrap.h"
+#include "statistics/simultaneous.h"
 #include "summary/summary.h"
 
 namespace ink::summary {
@@ -26,10 +25,11 @@ double pooled_f(const std::vector<Counts>& scenes) {
 
 constexpr int kDigits = 3;
 
-/// ".012" with the sign before it.
-std::string format_signed(double value, int digits) {
+/// ".012" or "0.012" with the sign before it.
+std::string format_signed(double value, int digits, bool has_zeros) {
     const std::string share = fmt::format("{:.{}f}", std::abs(value), digits);
-    return fmt::format("{}{}", value < 0 ? '-' : '+', share[0] == '0' ? share.substr(1) : share);
+    const bool drops_zero = !has_zeros && share[0] == '0';
+    return fmt::format("{}{}", value < 0 ? '-' : '+', drops_zero ? share.substr(1) : share);
 }
 
 /// Both ends as two fields of a line, empty without an interval.
@@ -67,18 +67,20 @@ PairedScenes pair_up(const std::vector<harness::Row>& rows,
 
 PairedDifference difference_of(const std::string& a,
                                const std::string& b,
-                               const PairedScenes& scenes,
-                               std::uint64_t seed) {
-    return {a,
-            b,
-            scenes.f_a() - scenes.f_b(),
-            statistics::paired_interval(scenes.a, scenes.b, {.seed = seed})};
+                               const PairedScenes& scenes) {
+    PairedDifference paired{a, b, scenes.f_a() - scenes.f_b(), std::nullopt};
+    paired.scenes = static_cast<int>(scenes.names.size());
+    for (std::size_t i = 0; i < scenes.names.size(); ++i) {
+        paired.better += scenes.a[i].f() > scenes.b[i].f() ? 1 : 0;
+        paired.worse += scenes.a[i].f() < scenes.b[i].f() ? 1 : 0;
+    }
+    return paired;
 }
 
-/// Sets the intervals that hold together. `scenes` has the scenes of each difference.
-void add_ranges_of_all(std::vector<PairedScenes>& scenes,
-                       std::uint64_t seed,
-                       std::vector<PairedDifference>& differences) {
+/// Sets the intervals. `scenes` has the scenes of each difference.
+void add_ranges(std::vector<PairedScenes>& scenes,
+                std::uint64_t seed,
+                std::vector<PairedDifference>& differences) {
     std::map<std::string, std::size_t> index;
     for (const PairedScenes& paired : scenes)
         for (const std::string& name : paired.names)
@@ -93,9 +95,28 @@ void add_ranges_of_all(std::vector<PairedScenes>& scenes,
             clusters.push_back(index.at(name));
         pairs.push_back({std::move(paired.a), std::move(paired.b), std::move(clusters)});
     }
-    const auto ranges = statistics::simultaneous_intervals(pairs, count, {.seed = seed});
-    for (std::size_t i = 0; i < differences.size(); ++i)
-        differences[i].range_of_all = ranges[i];
+    const auto ranges = statistics::paired_intervals(pairs, count, {.seed = seed});
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        differences[i].range = ranges[i].own;
+        differences[i].range_of_all = ranges[i].of_all;
+    }
+}
+
+std::optional<statistics::Interval> opposite(const std::optional<statistics::Interval>& range) {
+    if (!range) return std::nullopt;
+    return statistics::Interval{-range->high, -range->low};
+}
+
+/// The same of b less a.
+PairedDifference turned_round(const PairedDifference& paired) {
+    return {paired.b,
+            paired.a,
+            -paired.difference,
+            opposite(paired.range),
+            opposite(paired.range_of_all),
+            paired.scenes,
+            paired.worse,
+            paired.better};
 }
 
 /// Methods with a score, without baselines.
@@ -109,26 +130,6 @@ std::vector<std::string> methods_best_first(const std::vector<harness::Row>& row
     for (const MethodSummary& summary : summaries)
         names.push_back(summary.method);
     return names;
-}
-
-std::vector<PairedDifference> differences_between(const std::vector<harness::Row>& rows,
-                                                  const std::vector<std::string>& all_a,
-                                                  const std::vector<std::string>& all_b) {
-    std::vector<PairedDifference> differences;
-    std::vector<PairedScenes> scenes;
-    std::set<std::pair<std::string, std::string>> pairs;
-    for (const std::string& a : all_a) {
-        for (const std::string& b : all_b) {
-            if (a == b) continue;
-            PairedScenes paired = pair_up(rows, a, b);
-            if (paired.is_empty()) continue;
-            differences.push_back(difference_of(a, b, paired, rows.front().seed));
-            scenes.push_back(std::move(paired));
-            pairs.insert(std::minmax(a, b));
-        }
-    }
-    if (pairs.size() > 1) add_ranges_of_all(scenes, rows.front().seed, differences);
-    return differences;
 }
 
 }  // namespace
@@ -158,22 +159,33 @@ PairedScenes paired_scenes(std::span<const RowPair> pairs) {
     return scenes;
 }
 
-std::optional<PairedDifference> paired_difference_of(const std::vector<harness::Row>& rows,
-                                                     const std::string& a,
-                                                     const std::string& b) {
-    const PairedScenes scenes = pair_up(rows, a, b);
-    if (scenes.is_empty()) return std::nullopt;
-    return difference_of(a, b, scenes, rows.front().seed);
-}
-
-std::vector<PairedDifference> paired_differences_from(const std::vector<harness::Row>& rows,
-                                                      const std::string& a) {
-    return differences_between(rows, {a}, methods_best_first(rows));
-}
-
 std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows) {
     const std::vector<std::string> methods = methods_best_first(rows);
-    return differences_between(rows, methods, methods);
+    std::vector<PairedDifference> once;
+    std::vector<PairedScenes> scenes;
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        for (std::size_t j = i + 1; j < methods.size(); ++j) {
+            PairedScenes paired = pair_up(rows, methods[i], methods[j]);
+            if (paired.is_empty()) continue;
+            once.push_back(difference_of(methods[i], methods[j], paired));
+            scenes.push_back(std::move(paired));
+        }
+    }
+    if (once.empty()) return once;
+    add_ranges(scenes, rows.front().seed, once);
+    std::map<std::pair<std::string, std::string>, PairedDifference> found;
+    for (const PairedDifference& paired : once) {
+        found.emplace(std::pair(paired.a, paired.b), paired);
+        found.emplace(std::pair(paired.b, paired.a), turned_round(paired));
+    }
+    std::vector<PairedDifference> differences;
+    for (const std::string& a : methods) {
+        for (const std::string& b : methods) {
+            const auto paired = found.find({a, b});
+            if (paired != found.end()) differences.push_back(paired->second);
+        }
+    }
+    return differences;
 }
 
 const harness::TableInfo& differences_table() {
@@ -186,38 +198,44 @@ const harness::TableInfo& differences_table() {
          {"difference", "-1..1", "F within 2 px of `method` less that of `other`"},
          {"lo",
           "-1..1",
-          "lower end of its 95 % interval, scenes resampled for both together; empty with one "
-          "scene"},
+          "lower end of its 95 % interval, scenes resampled for both together; empty with fewer "
+          "than six scenes"},
          {"hi", "-1..1", "upper end"},
          {"lo_of_all",
           "-1..1",
-          "lower end of the interval that holds with 95 % together with those of all other lines; "
-          "empty with two methods"},
-         {"hi_of_all", "-1..1", "upper end"}}};
+          "lower end of the interval that is to hold together with those of all other lines; above "
+          "0, `method` leads"},
+         {"hi_of_all", "-1..1", "upper end; below 0, `other` leads"},
+         {"scenes", "", "of which both have views"},
+         {"better", "", "of these, on which F of `method` is higher"},
+         {"worse", "", "and on which it is lower"}}};
     return kTable;
 }
 
 std::string differences_csv(const std::vector<PairedDifference>& differences) {
     std::string text = harness::heading(differences_table());
     for (const PairedDifference& each : differences) {
-        text += fmt::format("{},{},{},{},{}\n",
+        text += fmt::format("{},{},{},{},{},{},{},{}\n",
                             harness::csv_field(each.a),
                             harness::csv_field(each.b),
                             each.difference,
                             range_fields(each.range),
-                            range_fields(each.range_of_all));
+                            range_fields(each.range_of_all),
+                            each.scenes,
+                            each.better,
+                            each.worse);
     }
     return text;
 }
 
-std::string format_paired_difference(const PairedDifference& paired) {
-    const auto& range = paired.range_of_all ? paired.range_of_all : paired.range;
-    if (!range) return format_signed(paired.difference, kDigits);
+std::string format_paired_difference(const PairedDifference& paired, bool has_zeros) {
+    const auto& range = paired.range;
+    if (!range) return format_signed(paired.difference, kDigits, has_zeros);
     const int digits = says_side(*range, kDigits) ? kDigits : kDigits + 1;
     return fmt::format("{} [{}, {}]",
-                       format_signed(paired.difference, digits),
-                       format_signed(range->low, digits),
-                       format_signed(range->high, digits));
+                       format_signed(paired.difference, digits, has_zeros),
+                       format_signed(range->low, digits, has_zeros),
+                       format_signed(range->high, digits, has_zeros));
 }
 
 }  // namespace ink::summary

@@ -40,32 +40,26 @@ struct PairedDifference {
     std::string b;
     double difference = 0;  ///< F of a less F of b
     std::optional<statistics::Interval>
-        range;  ///< 95 %, paired cluster bootstrap; nothing with one scene
-    /// The same for all pairs that were looked at together; nothing if this is the only one.
+        range;  ///< 95 %, paired cluster bootstrap; nothing with fewer than six scenes
+    /// The same for all pairs that were looked at together.
     std::optional<statistics::Interval> range_of_all = {};
+    int scenes = 0;  ///< that both have views of
+    int better = 0;  ///< of these, on which a's F is higher,
+    int worse = 0;   ///< and on which it is lower
 
-    /// Whether the interval leaves out 0, that of all pairs if there are many: chance in the choice
-    /// of scenes, and of the pair, does not explain it.
+    /// Whether one leads: the interval of all pairs leaves out 0. Chance in the choice of scenes,
+    /// and of the pair, does not explain it.
     [[nodiscard]] bool is_significant() const {
         const auto& decisive = range_of_all ? range_of_all : range;
         return decisive && (decisive->low > 0 || decisive->high < 0);
     }
 };
 
-/// The paired difference of `a` over `b`; nothing if they have no view in common.
-[[nodiscard]] std::optional<PairedDifference> paired_difference_of(
-    const std::vector<harness::Row>& rows, const std::string& a, const std::string& b);
-
-/// The paired differences of `a` over every other method (baselines left out), the best first.
-/// `range_of_all` holds for all of them together: `a` against many.
-[[nodiscard]] std::vector<PairedDifference> paired_differences_from(
-    const std::vector<harness::Row>& rows, const std::string& a);
-
 /// The paired differences of every ordered pair of methods (baselines left out), the best method
 /// first: the lines of a matrix. Pairs without a view in common are left out.
 ///
 /// `range` holds by itself, and over many pairs some such leave out 0 by chance; `range_of_all` are
-/// the intervals that hold all together (statistics/bootstrap.h).
+/// the intervals that are to hold all together (statistics/simultaneous.h).
 [[nodiscard]] std::vector<PairedDifference> all_paired_differences(
     const std::vector<harness::Row>& rows);
 
@@ -73,8 +67,9 @@ struct PairedDifference {
 [[nodiscard]] const harness::TableInfo& differences_table();
 [[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
 
-/// "+.012 [+.002, +.021]", the interval that of all pairs if there are many; the difference alone
-/// where there is none.
-[[nodiscard]] std::string format_paired_difference(const PairedDifference& paired);
+/// "+.012 [+.002, +.021]", the interval of the pair by itself; the difference alone
+/// where there is none. `has_zeros`: "+0.012 [+0.002, +0.021]".
+[[nodiscard]] std::string format_paired_difference(const PairedDifference& paired,
+                                                   bool has_zeros = false);
 
 }  // namespace ink::summary

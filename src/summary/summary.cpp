@@ -74,6 +74,30 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
     return recalls;
 }
 
+/// Pixels of either side without a match.
+std::int64_t wrong_px(const Counts& counts) {
+    return counts.n_pred + counts.n_truth - 2 * counts.k;
+}
+
+/// Where most of the error is; of scenes with as much the first.
+void find_error_scene(const Rows& rows, const std::vector<Counts>& scenes, MethodSummary& summary) {
+    std::vector<std::string> names;
+    for (const harness::Row* row : rows) {
+        if (std::find(names.begin(), names.end(), row->scene) == names.end())
+            names.push_back(row->scene);
+    }
+    std::int64_t all = 0;
+    std::int64_t most = 0;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const std::int64_t wrong = wrong_px(scenes[i]);
+        all += wrong;
+        if (wrong <= most) continue;
+        most = wrong;
+        summary.error_scene = names[i];
+    }
+    summary.error_scene_share = share(most, all);
+}
+
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
     Counts sum;
     for (const harness::Row* row : rows)
@@ -87,6 +111,7 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
     summary.f_real = pooled(of_split(rows, "real"), counts_2px);
     summary.f_macro = macro_f(scenes);
+    find_error_scene(rows, scenes, summary);
     summary.f_1px = f_1px(rows);
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
@@ -156,22 +181,9 @@ std::optional<double> pooled_f(const std::vector<const harness::Row*>& rows) {
     return pooled(good, counts_2px);
 }
 
-Verdict find_verdict(const std::vector<MethodSummary>& summaries) {
-    Verdict verdict;
-    for (const MethodSummary& s : summaries) {
-        if (s.is_baseline || !s.f_2px) continue;
-        if (verdict.best == nullptr || *s.f_2px > *verdict.best->f_2px) {
-            verdict.runner_up = verdict.best;
-            verdict.best = &s;
-        } else if (verdict.runner_up == nullptr || *s.f_2px > *verdict.runner_up->f_2px) {
-            verdict.runner_up = &s;
-        }
-        if (s.has_own_clock) continue;
-        const bool is_cheaper =
-            verdict.cheapest == nullptr || s.draw_ms < verdict.cheapest->draw_ms;
-        if (s.draw_ms && is_cheaper) verdict.cheapest = &s;
-    }
-    return verdict;
+bool is_error_in_one_scene(const MethodSummary& summary) {
+    return summary.scenes >= static_cast<int>(statistics::kFewestClusters) &&
+           summary.error_scene_share.value_or(0) > 0.5;
 }
 
 std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {

@@ -22,11 +22,13 @@ struct MethodSummary {
     std::optional<double> f_2px;  ///< of the counts pooled over its views
     int scenes = 0;               ///< that those are of
     std::optional<statistics::Interval>
-        f_2px_range;                  ///< 95 %, cluster bootstrap; two scenes at least
-    std::optional<double> f_train;    ///< pooled over the views of training scenes
-    std::optional<double> f_heldout;  ///< pooled over those of held-out scenes
-    std::optional<double> f_real;     ///< pooled over those of model files
-    std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
+        f_2px_range;                          ///< 95 %, cluster bootstrap; six scenes at least
+    std::string error_scene;                  ///< with most of its error; "" if there is none
+    std::optional<double> error_scene_share;  ///< of all its wrong pixels
+    std::optional<double> f_train;            ///< pooled over the views of training scenes
+    std::optional<double> f_heldout;          ///< pooled over those of held-out scenes
+    std::optional<double> f_real;             ///< pooled over those of model files
+    std::optional<double> f_macro;  ///< mean over scenes of F pooled over each one's views
     std::optional<statistics::CurveSummary>
         curve;                        ///< over thresholds, all its views; see add_curves
     std::optional<double> f_1px;      ///< pooled
@@ -37,6 +39,10 @@ struct MethodSummary {
     std::optional<statistics::Interval> draw_ms_quartiles;  ///< over views
     std::optional<int> bytes_per_px;                        ///< the largest
 };
+
+/// Whether most of the method's error sits in one of many scenes: its F is then known less well
+/// than an interval says, for who does not meet that scene does not see that error.
+[[nodiscard]] bool is_error_in_one_scene(const MethodSummary& summary);
 
 /// One summary per method, in order of first appearance, the baselines last.
 [[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows);
@@ -55,16 +61,6 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 /// Counts at 2 px summed over the views of each scene, in order of first appearance.
 [[nodiscard]] std::vector<score::CurveCount> counts_by_scene(
     const std::vector<const harness::Row*>& rows);
-
-/// Which method wins and which is cheapest, of those that are no baselines; null if none was scored
-/// (or, for `cheapest`, timed by this program's clock). They point into the summaries.
-struct Verdict {
-    const MethodSummary* best = nullptr;
-    const MethodSummary* runner_up = nullptr;
-    const MethodSummary* cheapest = nullptr;
-};
-
-[[nodiscard]] Verdict find_verdict(const std::vector<MethodSummary>& summaries);
 
 /// Whether a method of the registry looks once per pixel at the surface, so that `sampled` is what
 /// it may hope for; false for those that draw edges or hulls, and for names that the registry does

@@ -70,6 +70,7 @@ std::vector<const harness::Row*> rows_of_method(const std::vector<harness::Row>&
 struct Line {
     const MethodSummary& summary;
     std::map<std::string, statistics::Interval> recall_ranges;
+    std::string answer;
 };
 using SummaryTable = harness::TableOf<Line>;
 
@@ -111,6 +112,9 @@ void add_f(const Summary& summary) {
                         [](const S& s) { return low_of(s.f_2px_range); });
     summary.add_derived({"f_hi", "0..1", "upper end"},
                         [](const S& s) { return high_of(s.f_2px_range); });
+    summary.add_derived({"error_scene", "", "the scene with most of its error"}, &S::error_scene);
+    summary.add_derived({"error_scene_share", "0..1", "of its wrong pixels, those of that scene"},
+                        &S::error_scene_share);
     summary.add_derived({"f_train", "0..1", "the same over training scenes"}, &S::f_train);
     summary.add_derived({"f_heldout", "0..1", "the same over held-out scenes"}, &S::f_heldout);
     summary.add_derived({"f_real", "0..1", "the same over model files"}, &S::f_real);
@@ -130,6 +134,12 @@ SummaryTable make_table() {
     summary.add_derived({"method", "", "as in rows.csv"}, &S::method);
     summary.add_derived({"kind", "", "method or baseline"},
                         [](const S& s) { return s.is_baseline ? "baseline" : "method"; });
+    table.add_derived({"answer",
+                       "",
+                       "answer: the cheapest whose F is at most the margin below the best within "
+                       "the budget; best: the most exact of these; both",
+                       true},
+                      &Line::answer);
     summary.add_derived({"views", "", "on which it was scored"}, &S::views);
     summary.add_derived({"scenes", "", "of these views"}, &S::scenes);
     summary.add_derived({"failed", "", "cells without a score"}, &S::failed);
@@ -205,12 +215,17 @@ const harness::TableInfo& summary_table() {
 }
 
 std::string summary_csv(const std::vector<harness::Row>& rows,
-                        const std::vector<statistics::CellCurve>& curves) {
+                        const std::vector<statistics::CellCurve>& curves,
+                        const AnswerRule& rule) {
     std::vector<MethodSummary> summaries = summarise(rows);
     add_curves(curves, summaries);
+    const Answer answer = find_answer(summaries, rule);
     std::vector<Line> lines;
-    for (const MethodSummary& summary : summaries)
-        lines.push_back({summary, class_recall_intervals(rows_of_method(rows, summary.method))});
+    for (const MethodSummary& summary : summaries) {
+        lines.push_back({summary,
+                         class_recall_intervals(rows_of_method(rows, summary.method)),
+                         place_in(answer, summary)});
+    }
     return table().file(lines);
 }
 

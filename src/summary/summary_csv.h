@@ -6,6 +6,7 @@
 #include "harness/row.h"
 #include "harness/tables/table.h"
 #include "statistics/ods.h"
+#include "summary/answer.h"
 
 namespace ink::summary {
 
@@ -15,10 +16,12 @@ namespace ink::summary {
 
 /// A table (RFC 4180, "\n" line ends) with a line per method of `rows`, in order of first
 /// appearance, the baselines last; what there is none of is empty. `curves` give average precision;
-/// no rows give the heading alone. Numbers are in the shortest form that reads back to the same
-/// value.
+/// `rule` says which
+/// is the answer; no rows give the heading alone. Numbers are in the shortest form that reads back
+/// to the same value.
 [[nodiscard]] std::string summary_csv(const std::vector<harness::Row>& rows,
-                                      const std::vector<statistics::CellCurve>& curves);
+                                      const std::vector<statistics::CellCurve>& curves,
+                                      const AnswerRule& rule = {});
 
 /// Cells without a score for one and the same reason, on one view.
 struct Unscored {

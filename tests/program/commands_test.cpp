@@ -122,6 +122,31 @@ TEST(Compare, WritesRowsCurvesAndAReport) {
               99 * rows.size() + 1);
 }
 
+TEST(Compare, AnswersAFinishedRunAnewByAnotherRule) {
+    const Desk desk;
+    Words words = {"compare", "--scenes", "torus,cube", "--methods", "mote4,id_lookup"};
+    words.insert(words.end(), {"--size", "320x180", "--repetitions", "1", "--no-sweep"});
+    words.insert(words.end(), {"--images", "none", "--out", "out"});
+    const auto answers = [&desk] {
+        std::map<std::string, std::string> found;
+        for (const auto& line : parse_csv(desk.read("out/summary.csv")))
+            found[line.at("method")] = line.at("answer");
+        return found;
+    };
+    expect_done(desk, words);
+    const std::string rows = desk.read("out/rows.csv");
+    EXPECT_EQ(answers()["id_lookup"], "both");
+    EXPECT_EQ(answers()["mote4"], "");
+    words.insert(words.end(), {"--f-margin", "1"});
+    const std::string out = expect_done(desk, words);
+    EXPECT_THAT(out, HasSubstr("\nmote4: F 0."));
+    EXPECT_EQ(desk.read("out/rows.csv"), rows) << "nothing is measured again";
+    EXPECT_EQ(answers()["id_lookup"], "best");
+    EXPECT_EQ(answers()["mote4"], "answer");
+    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("\n**mote4**: F 0."));
+    EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("f_margin = 1"));
+}
+
 TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     const Desk desk;
     Words words = "compare --scenes torus,staircase --size 320x180 --repetitions 1 --out out";
@@ -129,7 +154,8 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     EXPECT_THAT(out,
                 AllOf(StartsWith("method "),
                       HasSubstr("\noracle *"),
-                      HasSubstr(" makes the fewest errors: ")));
+                      HasSubstr(": F 0."),
+                      HasSubstr("2 scenes are too few for an interval; better on ")));
     const Table rows = rows_of(desk, "out");
     const Table tolerances = parse_csv(desk.read("out/tolerances.csv"));
     EXPECT_EQ(tolerances.size(), 5 * rows.size());

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/text_table.h"
+#include "report/text/answer_text.h"
 #include "summary/paired_differences.h"
 #include "tests/report/made_up_rows.h"
 
@@ -99,11 +100,82 @@ TEST(VerdictTable, MarksTheBaselinesAndGivesThemNoTime) {
     EXPECT_EQ(words.at(7), "-");
 }
 
-TEST(VerdictTable, EndsWithOneSentence) {
-    EXPECT_EQ(lines_of(verdict_table(small_comparison())).back(),
-              "fine makes the fewest errors: F .900 at 2 px over 3 views pooled, 8.00 ms a frame, "
-              "4.0 times as long as the cheapest, rough (2.00 ms, F .600). Best by part: fine on "
-              "training scenes (F .900), fine on held-out scenes (F .900).");
+TEST(VerdictTable, EndsWithTheAnswer) {
+    EXPECT_EQ(
+        lines_of(verdict_table(small_comparison())).back(),
+        "fine: F 0.900 in 8.00 ms, the most exact. rough has 0.600 at 2.00 ms (-0.300). 1 "
+        "scene is too few for an interval. F is at 2 px, over 3 views of 1 scene pooled. Best "
+        "by part: fine on training scenes (F .900), fine on held-out scenes (F .900).");
+}
+
+/// `count` scenes of two methods: `quick`, and `exact` that is better by .006 on all but the first,
+/// or on which they swap in turns.
+std::vector<harness::Row> close_comparison(int count, bool in_turns = false) {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < count; ++i) {
+        const bool is_swapped = in_turns ? i % 2 == 1 : i == 0;
+        harness::Row quick = made_up_row("quick", (is_swapped ? 0.986 : 0.980) - 0.005 * i, 1.6);
+        harness::Row exact = made_up_row("exact", (is_swapped ? 0.980 : 0.987) - 0.005 * i, 13);
+        quick.scene = exact.scene = std::to_string(i);
+        quick.split = exact.split = "real";
+        rows.insert(rows.end(), {quick, exact});
+    }
+    return rows;
+}
+
+TEST(VerdictTable, NamesTheCheapestWithinTheMarginAndThenTheMostExact) {
+    const auto rows = close_comparison(12);
+    EXPECT_THAT(
+        verdict_table(rows),
+        AllOf(HasSubstr("\nquick: F 0.953 in 1.60 ms. exact has 0.959 at 13.0 ms (+0.005 ["),
+              HasSubstr("]). The 95 % interval is resampled over these 12 models; such "
+                        "intervals cover about 85 %.")));
+    EXPECT_THAT(verdict_markdown(rows), HasSubstr("\n**quick**: F 0.953 in 1.60 ms. `exact` has"));
+    EXPECT_THAT(verdict_table(rows, {.rule = {.f_margin = 0.001}}),
+                HasSubstr("\nexact: F 0.959 in 13.0 ms, the most exact. quick has 0.953"));
+    EXPECT_THAT(verdict_table(rows, {.rule = {.budget_ms = 5}}),
+                HasSubstr("\nWithin 5.00 ms, quick: F 0.953 in 1.60 ms, the only method scored."));
+    EXPECT_THAT(
+        verdict_table(rows, {.rule = {.budget_ms = 1}}),
+        HasSubstr("\nWithin 1.00 ms, none has a score: none is faster than 1.60 ms (quick)."));
+}
+
+TEST(VerdictTable, OfFewScenesHasNoInterval) {
+    const std::string table = verdict_table(close_comparison(4));
+    EXPECT_THAT(table,
+                HasSubstr("(+0.004). 4 models are too few for an interval; better on 3 of 4."));
+    EXPECT_THAT(table,
+                AllOf(Not(HasSubstr("[")), Not(HasSubstr("leads")), Not(HasSubstr("cover"))));
+    EXPECT_THAT(verdict_table(close_comparison(6)), HasSubstr("["));
+}
+
+TEST(VerdictTable, OfARunThatIsNotFinishedSaysSoFirst) {
+    const VerdictOptions cut_off{.missing_parts = 3, .parts = 12};
+    const char* first =
+        "This run is not finished: 3 of 12 parts are missing, and every number is of "
+        "the rest.\n\n";
+    EXPECT_THAT(verdict_table(small_comparison(), cut_off), testing::StartsWith(first));
+    EXPECT_THAT(verdict_markdown(small_comparison(), cut_off), testing::StartsWith(first));
+}
+
+TEST(VerdictTable, SaysWhichSceneAnErrorSitsIn) {
+    std::vector<harness::Row> rows = close_comparison(6);
+    rows[3].k_2px = 300;
+    EXPECT_THAT(verdict_table(rows),
+                HasSubstr("exact has 0.857 (82 % of its error in 1) at 13.0 ms"));
+}
+
+TEST(VerdictMarkdown, HasASentenceForAPaper) {
+    std::vector<harness::Row> rows = close_comparison(4);
+    for (harness::Row& row : rows) {
+        row.width = 640;
+        row.height = 360;
+    }
+    EXPECT_THAT(
+        verdict_markdown(rows),
+        HasSubstr("\nFor a paper: Over 4 models (4 views of 640x360 px), quick has F = 0.974 "
+                  "at 2 px in 1.60 ms; the most exact method, exact, has F = 0.978 in 13.0 "
+                  "ms, 8.1 times as long (difference +0.004).\n"));
 }
 
 TEST(VerdictTable, SaysOnWhichPartsItHolds) {
@@ -122,29 +194,19 @@ TEST(VerdictTable, SaysHowManyCellsFailed) {
     EXPECT_THAT(table, HasSubstr("1 cell has no score and no part in these numbers."));
 }
 
-TEST(VerdictTable, SaysSoIfADifferenceIsNotSignificant) {
-    std::vector<harness::Row> rows;
-    for (int i = 0; i < 8; ++i) {
-        harness::Row even = made_up_row("even", 0.7, 3);
-        harness::Row moody = made_up_row("moody", i % 2 == 0 ? 0.5 : 0.91, 3);
-        even.scene = moody.scene = std::to_string(i);
-        rows.insert(rows.end(), {even, moody});
-    }
-    EXPECT_THAT(verdict_table(rows), HasSubstr("These scenes cannot tell it from even (F .700)"));
-    EXPECT_THAT(verdict_table(small_comparison()), Not(HasSubstr("cannot tell")));
-}
-
-TEST(VerdictTable, SaysSoIfADifferenceIsSignificant) {
-    std::vector<harness::Row> rows;
-    for (int i = 0; i < 8; ++i) {
-        harness::Row good = made_up_row("good", 0.7 + 0.01 * i, 3);
-        harness::Row better = made_up_row("better", 0.72 + 0.01 * i, 3);
-        good.scene = better.scene = std::to_string(i);
-        rows.insert(rows.end(), {good, better});
-    }
-    EXPECT_THAT(
-        verdict_table(rows),
-        HasSubstr("Its paired difference to good (F .735) is +.020 [+.020, +.020]: significant."));
+TEST(VerdictTable, SaysThatAMethodLeadsOnlyWhereItDoes) {
+    const auto rows = [](double lead) {
+        std::vector<harness::Row> all;
+        for (int i = 0; i < 8; ++i) {
+            harness::Row even = made_up_row("even", 0.7, 3);
+            harness::Row other = made_up_row("other", i % 2 == 0 ? 0.7 + lead : 0.91, 3);
+            even.scene = other.scene = std::to_string(i);
+            all.insert(all.end(), {even, other});
+        }
+        return all;
+    };
+    EXPECT_THAT(verdict_table(rows(-0.2)), AllOf(HasSubstr("even has"), Not(HasSubstr("lead"))));
+    EXPECT_THAT(verdict_table(rows(0.2)), HasSubstr("the most exact. It leads: even has 0.700"));
 }
 
 TEST(VerdictTable, NamesMethodsWholeAndFitsATerminal) {
@@ -166,8 +228,11 @@ TEST(VerdictTable, WithoutAMethodThereIsNoVerdict) {
 }
 
 TEST(VerdictTable, AMethodAloneWinsNothing) {
-    EXPECT_THAT(verdict_table({made_up_row("fine", 0.9, 8)}),
-                HasSubstr("fine is the only method scored: F .900 at 2 px over 1 view pooled"));
+    EXPECT_THAT(
+        verdict_table({made_up_row("fine", 0.9, 8)}),
+        HasSubstr(
+            "fine: F 0.900 in 8.00 ms, the only method scored. F is at 2 px, over 1 view of 1 "
+            "scene pooled."));
 }
 
 TEST(VerdictMarkdown, IsATableOfEqualLines) {
@@ -188,10 +253,12 @@ TEST(VerdictTable, IsOneTableAndTheVerdictBelowIt) {
     EXPECT_EQ(lines.at(7), "");
 }
 
-TEST(VerdictMarkdown, IsTheSameTableAndVerdict) {
-    const std::string text = verdict_markdown(small_comparison());
-    EXPECT_EQ(lines_of(text).size(), 11U);  // a rule below the headings, a gap below the table
-    EXPECT_EQ(lines_of(text).back(), lines_of(verdict_table(small_comparison())).back());
+TEST(VerdictMarkdown, IsTheSameTableAndAnswer) {
+    const auto lines = lines_of(verdict_markdown(small_comparison()));
+    ASSERT_EQ(lines.size(), 13U);  // a rule below the headings, gaps, the sentence for a paper
+    std::string answer = lines.at(10);
+    std::erase_if(answer, [](char c) { return c == '*' || c == '`'; });
+    EXPECT_EQ(answer, lines_of(verdict_table(small_comparison())).back());
 }
 
 TEST(FormatPairedDifference, HasTheIntervalIfThereIsOne) {

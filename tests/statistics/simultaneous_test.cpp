@@ -20,16 +20,16 @@ PairedCounts pair_of(std::size_t clusters, MatchedOf k_of) {
     return pair;
 }
 
-TEST(SimultaneousIntervals, AreNothingWithoutTwoClusters) {
-    const std::vector<PairedCounts> pairs = {pair_of(1, [](std::size_t) { return 400; })};
-    EXPECT_EQ(simultaneous_intervals(pairs, 1, {})[0], std::nullopt);
-    EXPECT_EQ(simultaneous_intervals(pairs, 5, {})[0], std::nullopt) << "the pair has one of five";
-    EXPECT_TRUE(simultaneous_intervals({}, 5, {}).empty());
+TEST(SimultaneousIntervals, AreNothingWithoutSixClusters) {
+    const std::vector<PairedCounts> pairs = {pair_of(5, [](std::size_t) { return 400; })};
+    EXPECT_FALSE(paired_intervals(pairs, 5, {})[0].of_all);
+    EXPECT_FALSE(paired_intervals(pairs, 9, {})[0].own) << "the pair has five of nine";
+    EXPECT_TRUE(paired_intervals({}, 9, {}).empty());
 }
 
 TEST(SimultaneousIntervals, OfAPairWhoseClustersAllDifferByTheSameAreThatDifference) {
     const std::vector<PairedCounts> pairs = {pair_of(9, [](std::size_t) { return 600; })};
-    const auto interval = simultaneous_intervals(pairs, 9, {})[0];
+    const auto interval = paired_intervals(pairs, 9, {})[0].of_all;
     ASSERT_TRUE(interval);
     EXPECT_NEAR(interval->low, 0.1, 1e-12);
     EXPECT_NEAR(interval->high, 0.1, 1e-12);
@@ -42,22 +42,13 @@ TEST(SimultaneousIntervals, AreWiderThanThoseOfEachPairAlone) {
         pairs.push_back(pair_of(
             20, [&](std::size_t) { return 400 + static_cast<std::int64_t>(random() % 200); }));
     }
-    const auto together = simultaneous_intervals(pairs, 20, {});
+    const auto together = paired_intervals(pairs, 20, {});
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-        const auto alone = paired_interval(pairs[p].a, pairs[p].b, {});
-        ASSERT_TRUE(together[p] && alone);
-        EXPECT_LT(together[p]->low, alone->low);
-        EXPECT_GT(together[p]->high, alone->high);
+        const auto& [alone, of_all] = together[p];
+        ASSERT_TRUE(alone && of_all);
+        EXPECT_LT(of_all->low, alone->low);
+        EXPECT_GT(of_all->high, alone->high);
     }
-}
-
-TEST(SimultaneousIntervals, OfTwoClustersShowNothing) {
-    const std::vector<PairedCounts> pairs = {
-        pair_of(2, [](std::size_t i) { return i == 0 ? 900 : 950; })};
-    const auto interval = simultaneous_intervals(pairs, 2, {})[0];
-    ASSERT_TRUE(interval);
-    EXPECT_EQ(interval->low, -1);
-    EXPECT_EQ(interval->high, 1);
 }
 
 /// Presets often change a method on one scene alone. The many drawings without that scene must not
@@ -68,15 +59,16 @@ TEST(SimultaneousIntervals, OfOtherPairsStayNarrowWhereAPairDiffersInOneCluster)
         return 600 + static_cast<std::int64_t>(random() % 101);
     };
     std::vector<PairedCounts> pairs = {pair_of(36, ordinary), pair_of(36, ordinary)};
-    const auto without = simultaneous_intervals(pairs, 36, {});
+    const auto without = paired_intervals(pairs, 36, {});
     pairs.push_back(
         pair_of(36, [](std::size_t i) { return i == 7 ? 900 : 500 + (i == 9 ? 1 : 0); }));
-    const auto with = simultaneous_intervals(pairs, 36, {});
+    const auto with = paired_intervals(pairs, 36, {});
     for (std::size_t p = 0; p < 2; ++p) {
-        EXPECT_GT(with[p]->low, 0.1);
-        EXPECT_LT(with[p]->high - with[p]->low, 1.5 * (without[p]->high - without[p]->low));
+        const Interval& own = *with[p].of_all;
+        EXPECT_GT(own.low, 0.1);
+        EXPECT_LT(own.high - own.low, 1.5 * (without[p].of_all->high - without[p].of_all->low));
     }
-    EXPECT_LT(with[2]->low, 0) << "one scene is no lead";
+    EXPECT_LT(with[2].of_all->low, 0) << "one scene is no lead";
 }
 
 /// The law that they are made for: with 30 methods that are really alike, some lead by chance in
@@ -96,11 +88,10 @@ TEST(SimultaneousIntervals, SeldomSeeALeadWhereThereIsNone) {
         };
         bool is_alone_wrong = false, is_together_wrong = false;
         const BootstrapOptions options{.resamples = 200, .seed = static_cast<std::uint64_t>(e)};
-        const auto together = simultaneous_intervals(pairs, 40, options);
+        const auto together = paired_intervals(pairs, 40, options);
         for (std::size_t p = 0; p < pairs.size(); ++p) {
-            is_together_wrong = is_together_wrong || leads(together[p]);
-            is_alone_wrong =
-                is_alone_wrong || leads(paired_interval(pairs[p].a, pairs[p].b, options));
+            is_together_wrong = is_together_wrong || leads(together[p].of_all);
+            is_alone_wrong = is_alone_wrong || leads(together[p].own);
         }
         alone_wrong += is_alone_wrong ? 1 : 0;
         together_wrong += is_together_wrong ? 1 : 0;
@@ -135,10 +126,10 @@ TEST(SimultaneousIntervals, SeldomSeeALeadAmongAllPairsOfTwelveMethodsOnTwentySc
                     pairs.back().cluster.push_back(scene);
             }
         }
-        const auto intervals = simultaneous_intervals(
+        const auto intervals = paired_intervals(
             pairs, kScenes, {.resamples = 200, .seed = static_cast<std::uint64_t>(e)});
-        wrong += std::any_of(intervals.begin(), intervals.end(), [](const auto& interval) {
-            return interval && (interval->low > 0 || interval->high < 0);
+        wrong += std::any_of(intervals.begin(), intervals.end(), [](const PairedIntervals& each) {
+            return each.of_all && (each.of_all->low > 0 || each.of_all->high < 0);
         });
     }
     RecordProperty("experiments_with_a_lead", wrong);

@@ -19,6 +19,16 @@ harness::Row row_of(const std::string& method, const std::string& scene, std::in
     return row;
 }
 
+/// That of a over b; nothing without a view in common.
+std::optional<PairedDifference> paired_difference_of(const std::vector<harness::Row>& rows,
+                                                     const std::string& a,
+                                                     const std::string& b) {
+    for (const PairedDifference& paired : all_paired_differences(rows)) {
+        if (paired.a == a && paired.b == b) return paired;
+    }
+    return std::nullopt;
+}
+
 std::vector<harness::Row> twelve_scenes() {
     std::vector<harness::Row> rows;
     for (int i = 0; i < 12; ++i) {
@@ -124,19 +134,23 @@ TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
     EXPECT_LE(led_together, 1);
 }
 
-TEST(AllPairedDifferences, OfTwoMethodsNeedNoCorrection) {
-    std::vector<harness::Row> rows = twelve_scenes();
-    std::erase_if(rows, [](const harness::Row& row) { return row.method == "moody"; });
-    for (const PairedDifference& paired : all_paired_differences(rows))
-        EXPECT_FALSE(paired.range_of_all);
+TEST(AllPairedDifferences, SayOnHowManyScenesEitherIsBetter) {
+    const auto moody = paired_difference_of(twelve_scenes(), "moody", "even");
+    ASSERT_TRUE(moody);
+    EXPECT_EQ(moody->scenes, 12);
+    EXPECT_EQ(moody->better, 6);
+    EXPECT_EQ(moody->worse, 6);
+    EXPECT_EQ(paired_difference_of(twelve_scenes(), "better", "even")->better, 12);
 }
 
 TEST(DifferencesCsv, HasALineAPairAndEmptyFieldsWithoutAnInterval) {
-    const std::string heading = "method,other,difference,lo,hi,lo_of_all,hi_of_all\n";
+    const std::string heading =
+        "method,other,difference,lo,hi,lo_of_all,hi_of_all,scenes,better,worse\n";
     EXPECT_EQ(differences_csv({}), heading);
     const statistics::Interval range{0.125, 0.5}, of_all{0.0625, 0.75};
-    EXPECT_EQ(differences_csv({{"a", "b", 0.25, range, of_all}, {"b", "a", -0.25, std::nullopt}}),
-              heading + "a,b,0.25,0.125,0.5,0.0625,0.75\n" + "b,a,-0.25,,,,\n");
+    EXPECT_EQ(differences_csv(
+                  {{"a", "b", 0.25, range, of_all, 9, 6, 3}, {"b", "a", -0.25, std::nullopt}}),
+              heading + "a,b,0.25,0.125,0.5,0.0625,0.75,9,6,3\n" + "b,a,-0.25,,,,,0,0,0\n");
 }
 
 }  // namespace

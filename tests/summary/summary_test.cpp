@@ -121,20 +121,17 @@ TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {
     EXPECT_DOUBLE_EQ(summaries[1].curve->ois, 0.5);
 }
 
-TEST(FindVerdict, NamesWinnerRunnerUpAndCheapestOfMethodsOnly) {
-    harness::Row fast = counted_row("fast", "front", 40, 100);
-    fast.draw_ns = 1'000'000;
-    harness::Row good = counted_row("good", "front", 90, 100);
-    good.draw_ns = 9'000'000;
-    harness::Row middling = counted_row("middling", "front", 60, 100);
-    const auto summaries =
-        summarise({fast, counted_row("oracle", "front", 100, 100), good, middling});
-    const Verdict verdict = find_verdict(summaries);
-    ASSERT_NE(verdict.best, nullptr);
-    EXPECT_EQ(verdict.best->method, "good");
-    EXPECT_EQ(verdict.runner_up->method, "middling");
-    EXPECT_EQ(verdict.cheapest->method, "fast");
-    EXPECT_EQ(find_verdict({}).best, nullptr);
+TEST(Summarise, NamesTheSceneWithMostOfTheError) {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < 6; ++i)
+        rows.push_back(scene_row(std::to_string(i), i == 4 ? 60 : 98, 100));
+    const MethodSummary s = summarise(rows)[0];
+    EXPECT_EQ(s.error_scene, "4");
+    EXPECT_DOUBLE_EQ(*s.error_scene_share, 0.8);  // 40 of 50
+    EXPECT_TRUE(is_error_in_one_scene(s));
+    rows.pop_back();
+    EXPECT_FALSE(is_error_in_one_scene(summarise(rows)[0])) << "of five scenes";
+    EXPECT_EQ(summarise({scene_row("fine", 9, 9)})[0].error_scene, "");
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ void add_compare_command(CLI::App& app) {
     options.add_to(*command, {"grid.threads", "measure.repetitions", "sweep.own_views"});
     command->add_flag(
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
+    options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
     options.add_to(*command,
                    {"seed",
                     "measure.crosscheck",

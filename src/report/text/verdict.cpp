@@ -9,6 +9,7 @@
 
 #include "core/text_table.h"
 #include "draw/crosscheck_report.h"
+#include "report/text/answer_text.h"
 #include "summary/paired_differences.h"
 #include "summary/summary.h"
 
@@ -56,52 +57,6 @@ std::string marks(const std::vector<summary::MethodSummary>& summaries) {
     return std::string("`*` a baseline, no method") +
            (has_own_clock ? "; `+` from outside: images made elsewhere, times by their own clock"
                           : "");
-}
-
-/// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
-std::string cost_of(const summary::Verdict& verdict) {
-    const summary::MethodSummary& best = *verdict.best;
-    const summary::MethodSummary* cheapest = verdict.cheapest;
-    if (!best.draw_ms) return "; no time was taken.";
-    const std::string cost = fmt::format(", {} ms a frame", format_ms(best.draw_ms));
-    if (verdict.runner_up == nullptr) return cost + ".";
-    if (cheapest == &best) return cost + ", which is also the cheapest.";
-    if (best.has_own_clock || cheapest == nullptr) return cost + " by its own clock.";
-    return fmt::format("{}, {:.1f} times as long as the cheapest, {} ({} ms, F {}).",
-                       cost,
-                       *best.draw_ms / *cheapest->draw_ms,
-                       cheapest->method,
-                       format_ms(cheapest->draw_ms),
-                       core::format_share(cheapest->f_2px));
-}
-
-/// Whether the paired difference of the winner is significant; nothing where scenes are too few to
-/// tell.
-std::string doubt(const std::vector<harness::Row>& rows, const summary::Verdict& verdict) {
-    if (verdict.runner_up == nullptr) return "";
-    const auto all = summary::paired_differences_from(rows, verdict.best->method);
-    const auto paired =
-        std::find_if(all.begin(), all.end(), [&](const summary::PairedDifference& d) {
-            return d.b == verdict.runner_up->method;
-        });
-    if (paired == all.end() || !paired->range) return "";
-    const std::string of_all =
-        paired->range_of_all ? fmt::format(" (95 % for all {} others together)", all.size()) : "";
-    const std::string other = fmt::format(
-        "{} (F {})", verdict.runner_up->method, core::format_share(verdict.runner_up->f_2px));
-    if (paired->is_significant()) {
-        return fmt::format(" Its paired difference to {} is {}{}: significant.",
-                           other,
-                           summary::format_paired_difference(*paired),
-                           of_all);
-    }
-    return fmt::format(
-        " These scenes cannot tell it from {}: the paired difference is {}{}, and the 95 % "
-        "interval "
-        "holds 0.",
-        other,
-        summary::format_paired_difference(*paired),
-        of_all);
 }
 
 /// On which parts of the suite the verdict holds: the best method of each part, or which the only
@@ -212,53 +167,65 @@ std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
     return lines;
 }
 
-/// The winner's F, what it costs against the cheapest, whether its paired difference is
-/// significant, how many cells failed.
+/// The answer, over what it is, on which parts it holds, how many cells failed.
 std::string sentence_of(const std::vector<harness::Row>& rows,
-                        const std::vector<summary::MethodSummary>& summaries) {
-    const summary::Verdict verdict = summary::find_verdict(summaries);
-    if (verdict.best == nullptr)
-        return "No method was scored on any view, so there is no verdict." + failures(summaries);
-    const summary::MethodSummary& best = *verdict.best;
+                        const std::vector<summary::MethodSummary>& summaries,
+                        const std::vector<summary::PairedDifference>& differences,
+                        const VerdictOptions& options,
+                        Markup markup) {
+    const std::string answer = answer_sentences(rows, summaries, differences, options.rule, markup);
+    const summary::MethodSummary* most = summary::find_answer(summaries, {}).most_exact;
+    if (most == nullptr) return answer + failures(summaries);
+    return fmt::format("{} F is at 2 px, over {} view{} of {} scene{} pooled.{}{}",
+                       answer,
+                       most->views,
+                       most->views == 1 ? "" : "s",
+                       most->scenes,
+                       most->scenes == 1 ? "" : "s",
+                       by_part(summaries),
+                       failures(summaries));
+}
+
+/// What must be known before any number is read; "" of a finished run.
+std::string unfinished_line(const VerdictOptions& options) {
+    if (options.missing_parts == 0) return "";
     return fmt::format(
-        "{}{}: F {} at 2 px over {} view{} pooled{}{}{}{}",
-        best.method,
-        verdict.runner_up == nullptr ? " is the only method scored" : " makes the fewest errors",
-        core::format_share(best.f_2px),
-        best.views,
-        best.views == 1 ? "" : "s",
-        cost_of(verdict),
-        doubt(rows, verdict),
-        by_part(summaries),
-        failures(summaries));
+        "This run is not finished: {} of {} parts are missing, and every number is of the "
+        "rest.\n\n",
+        options.missing_parts,
+        options.parts);
 }
 
 }  // namespace
 
-std::string format_ms(const std::optional<double>& ms) {
-    if (!ms) return "-";
-    // What rounds to 10 or 100 is shown as such: 9.996 is "10.0", not "10.00".
-    const int decimals = *ms < 0.0995 ? 3 : *ms < 9.995 ? 2 : *ms < 99.95 ? 1 : 0;
-    return fmt::format("{:.{}f}", *ms, decimals);
-}
-
-std::string verdict_table(const std::vector<harness::Row>& rows) {
+std::string verdict_table(const std::vector<harness::Row>& rows, const VerdictOptions& options) {
     const std::vector<summary::MethodSummary> summaries = summary::summarise(rows);
-    const std::string sentence = sentence_of(rows, summaries);
+    const std::string sentence =
+        sentence_of(rows, summaries, summary::all_paired_differences(rows), options, Markup::none);
     if (summaries.empty()) return sentence;
-    std::string text =
-        fmt::format("{}{}\n\n{}", core::aligned(cells_of(summaries)), marks(summaries), sentence);
+    std::string text = fmt::format("{}{}{}\n\n{}",
+                                   unfinished_line(options),
+                                   core::aligned(cells_of(summaries)),
+                                   marks(summaries),
+                                   sentence);
     for (const std::string& line : warnings(rows, summaries))
         text += "\n" + line;
     return text;
 }
 
-std::string verdict_markdown(const std::vector<harness::Row>& rows) {
+std::string verdict_markdown(const std::vector<harness::Row>& rows, const VerdictOptions& options) {
     const std::vector<summary::MethodSummary> summaries = summary::summarise(rows);
-    const std::string sentence = sentence_of(rows, summaries);
+    const auto differences = summary::all_paired_differences(rows);
+    const std::string sentence =
+        sentence_of(rows, summaries, differences, options, Markup::markdown);
     if (summaries.empty()) return sentence + "\n";
-    std::string text = fmt::format(
-        "{}\n{}\n\n{}\n", core::markdown(cells_of(summaries)), marks(summaries), sentence);
+    std::string text = fmt::format("{}{}\n{}\n\n{}\n",
+                                   unfinished_line(options),
+                                   core::markdown(cells_of(summaries)),
+                                   marks(summaries),
+                                   sentence);
+    const std::string paper = paper_sentence(rows, summaries, differences, options.rule);
+    if (!paper.empty()) text += "\nFor a paper: " + paper + "\n";
     for (const std::string& line : warnings(rows, summaries))
         text += "\n" + line + "\n";
     return text;

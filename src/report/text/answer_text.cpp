@@ -1,0 +1,182 @@
+#include "report/text/answer_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "statistics/bootstrap.h"
+#include "summary/paired_differences.h"
+
+namespace ink::report {
+namespace {
+
+using summary::Answer;
+using summary::MethodSummary;
+using summary::PairedDifference;
+
+std::string strong(const std::string& name, Markup markup) {
+    return markup == Markup::markdown ? "**" + name + "**" : name;
+}
+
+std::string code(const std::string& name, Markup markup) {
+    return markup == Markup::markdown ? "`" + name + "`" : name;
+}
+
+/// "1 scene", "4 models": models where all are model files.
+std::string scenes_text(const std::vector<harness::Row>& rows, int count) {
+    const bool are_models = std::all_of(
+        rows.begin(), rows.end(), [](const harness::Row& row) { return row.split == "real"; });
+    return fmt::format("{} {}{}", count, are_models ? "model" : "scene", count == 1 ? "" : "s");
+}
+
+/// "0.995", with the scene that most of the error is in where it sits in one.
+std::string f_text(const MethodSummary& s) {
+    std::string text = fmt::format("{:.3f}", *s.f_2px);
+    if (summary::is_error_in_one_scene(s))
+        text += fmt::format(
+            " ({:.0f} % of its error in {})", 100 * *s.error_scene_share, s.error_scene);
+    return text;
+}
+
+/// " in 1.60 ms"; "" without a time.
+std::string time_text(const char* in, const MethodSummary& s) {
+    if (!s.draw_ms) return "";
+    return fmt::format(
+        " {} {} ms{}", in, format_ms(s.draw_ms), s.has_own_clock ? " by its own clock" : "");
+}
+
+/// How the other differs from the answer; nothing without a view that both have.
+std::optional<PairedDifference> difference_of(const std::vector<PairedDifference>& differences,
+                                              const Answer& answer) {
+    const auto paired =
+        std::find_if(differences.begin(), differences.end(), [&](const PairedDifference& d) {
+            return d.a == answer.other()->method && d.b == answer.method->method;
+        });
+    return paired == differences.end() ? std::nullopt : std::optional(*paired);
+}
+
+/// "; better on 3 of 4": on how many scenes the more exact of the two is.
+std::string better_text(const PairedDifference& paired) {
+    if (paired.scenes < 2) return "";
+    const int better = paired.difference < 0 ? paired.worse : paired.better;
+    return fmt::format("; better on {} of {}", better, paired.scenes);
+}
+
+/// What the interval of the difference is, or why there is none.
+std::string interval_sentence(const std::vector<harness::Row>& rows,
+                              const PairedDifference& paired) {
+    const std::string scenes = scenes_text(rows, paired.scenes);
+    if (!paired.range) {
+        return fmt::format(" {} {} too few for an interval{}.",
+                           scenes,
+                           paired.scenes == 1 ? "is" : "are",
+                           better_text(paired));
+    }
+    return fmt::format(
+        " The 95 % interval is resampled over these {}; such intervals cover about {} %.",
+        scenes,
+        statistics::known_coverage_percent(paired.scenes));
+}
+
+/// What the answer is held against.
+std::string other_sentences(const std::vector<harness::Row>& rows,
+                            const std::vector<PairedDifference>& differences,
+                            const Answer& answer,
+                            Markup markup) {
+    const MethodSummary& other = *answer.other();
+    const auto paired = difference_of(differences, answer);
+    const bool is_lead = paired && paired->is_significant();
+    const bool is_answer_best = answer.method == answer.most_exact;
+    return fmt::format(" {}{} {} {}{}{}.{}",
+                       is_lead && is_answer_best ? "It leads: " : "",
+                       code(other.method, markup),
+                       is_lead && !is_answer_best ? "leads with" : "has",
+                       f_text(other),
+                       time_text("at", other),
+                       paired ? fmt::format(" ({})", format_paired_difference(*paired, true)) : "",
+                       paired ? interval_sentence(rows, *paired) : "");
+}
+
+/// "36 scenes (104 views of 1280x720 px)".
+std::string extent_text(const std::vector<harness::Row>& rows, const MethodSummary& s) {
+    return fmt::format("{} ({} view{} of {}x{} px)",
+                       scenes_text(rows, s.scenes),
+                       s.views,
+                       s.views == 1 ? "" : "s",
+                       rows.front().width,
+                       rows.front().height);
+}
+
+std::string times_text(const MethodSummary& a, const MethodSummary& b) {
+    if (!a.draw_ms || !b.draw_ms || a.has_own_clock || b.has_own_clock) return "";
+    return fmt::format(", {:.1f} times as long", *b.draw_ms / *a.draw_ms);
+}
+
+}  // namespace
+
+std::string format_ms(const std::optional<double>& ms) {
+    if (!ms) return "-";
+    // What rounds to 10 or 100 is shown as such: 9.996 is "10.0", not "10.00".
+    const int decimals = *ms < 0.0995 ? 3 : *ms < 9.995 ? 2 : *ms < 99.95 ? 1 : 0;
+    return fmt::format("{:.{}f}", *ms, decimals);
+}
+
+std::string answer_sentences(const std::vector<harness::Row>& rows,
+                             const std::vector<MethodSummary>& summaries,
+                             const std::vector<PairedDifference>& differences,
+                             const summary::AnswerRule& rule,
+                             Markup markup) {
+    const Answer answer = summary::find_answer(summaries, rule);
+    const std::string budget =
+        rule.budget_ms > 0 ? fmt::format("Within {} ms, ", format_ms(rule.budget_ms)) : "";
+    if (answer.method == nullptr && answer.fastest != nullptr) {
+        return fmt::format("{}none has a score: none is faster than {} ms ({}).",
+                           budget,
+                           format_ms(answer.fastest->draw_ms),
+                           code(answer.fastest->method, markup));
+    }
+    if (answer.method == nullptr)
+        return "No method was scored on any view, so there is no verdict.";
+    const MethodSummary& method = *answer.method;
+    std::string text = fmt::format("{}{}: F {}{}",
+                                   budget,
+                                   strong(method.method, markup),
+                                   f_text(method),
+                                   time_text("in", method));
+    if (answer.other() == nullptr) return text + ", the only method scored.";
+    if (&method == answer.most_exact) text += ", the most exact";
+    text += method.draw_ms ? "." : "; no time was taken.";
+    return text + other_sentences(rows, differences, answer, markup);
+}
+
+std::string paper_sentence(const std::vector<harness::Row>& rows,
+                           const std::vector<MethodSummary>& summaries,
+                           const std::vector<PairedDifference>& differences,
+                           const summary::AnswerRule& rule) {
+    const Answer answer = summary::find_answer(summaries, rule);
+    if (answer.method == nullptr) return "";
+    const MethodSummary& method = *answer.method;
+    std::string text = fmt::format("Over {}, {} has F = {:.3f} at 2 px{}",
+                                   extent_text(rows, method),
+                                   method.method,
+                                   *method.f_2px,
+                                   time_text("in", method));
+    const MethodSummary* other = answer.other();
+    if (other == nullptr) return text + ".";
+    text += fmt::format("; {}, {} has F = {:.3f}{}",
+                        &method == answer.most_exact ? "the next" : "the most exact method",
+                        other->method + ",",
+                        *other->f_2px,
+                        time_text("in", *other));
+    text += times_text(method, *other);
+    const auto paired = difference_of(differences, answer);
+    if (!paired) return text + ".";
+    const std::string difference = format_paired_difference(*paired, true);
+    return text + fmt::format(" (difference {}{}).",
+                              difference,
+                              paired->range ? ", 95 % interval over scenes" : "");
+}
+
+}  // namespace ink::report
