@@ -6,7 +6,9 @@ state.define('methods', null);
 state.define('scenes', null);
 state.define('split', 'all');
 state.define('measure', 'f_2px');
-state.define('budget', 0);
+// What the run was asked for, until the reader asks for something else.
+state.define('budget', PACKED.runs[0].record.budget_ms);
+state.define('margin', PACKED.runs[0].record.f_margin);
 state.define('theme', 'auto');
 
 /// What the page shows now: the rows that the filters leave, and what they say together.
@@ -33,16 +35,29 @@ function viewOf(run) {
     const allRows = run.rows.filter(isSceneShown);
     const isMethodShown = name => isMethodChosen(run.methods.get(name));
     const rows = allRows.filter(row => isMethodShown(row.method));
-    const summaries = [...groupBy(rows, row => row.method)].map(
-        ([name, ofMethod]) => summarise(run.methods.get(name), ofMethod, measure));
+    const hasAllScenes = !state.get('scenes') && state.get('split') === 'all';
+    const summaries = [...groupBy(rows, row => row.method)].map(([name, ofMethod]) => {
+        const made = summarise(run.methods.get(name), ofMethod, measure);
+        return {...made, range: rangeOf(run, made, measure, hasAllScenes)};
+    });
     const budget = state.get('budget');
     const isAffordable = s => !budget || (s.ms !== null && s.ms <= budget);
     const contestants = summaries.filter(s => !s.isBaseline && s.value !== null);
-    const ranked = contestants.filter(isAffordable).sort((a, b) => b.value - a.value);
+    const byValue = [...contestants].sort((a, b) => b.value - a.value);
+    const ranked = byValue.filter(isAffordable);
+    const answer = findAnswer(contestants, {margin: state.get('margin'), budget});
+    let differences = null;
     const scenes = distinct(allRows, row => row.scene);
     return {
         run, measure, allRows, rows, summaries, contestants, ranked, isAffordable, isMethodShown, scenes,
-        best: ranked[0] || null,
+        hasAllScenes, answer, best: answer.method,
+        /// The paired difference of two methods, by name.
+        differenceOf: (a, b) => {
+            const isTabled = hasAllScenes && measure === 'f_2px' && !state.get('methods') && !state.get('families') &&
+                run.has('differences.csv');
+            differences ??= isTabled ? tabledDifferences(run) : allDifferences(byValue, measure);
+            return differences(a, b);
+        },
         views: distinct(allRows, row => `${row.scene}\n${row.view}`).length,
         methods: contestants.map(s => s.info),
         /// Lines of a side table of the run that the filters leave, joined with their rows.
@@ -51,13 +66,22 @@ function viewOf(run) {
     };
 }
 
+/// The interval of a method's measure: that of summary.csv, which is over all scenes, or one made
+/// alike of the scenes that are shown.
+function rangeOf(run, {method, rows}, measure, hasAllScenes) {
+    const line = hasAllScenes && run.table('summary.csv').lines.find(one => one.method === method);
+    const key = measure === 'f_2px' ? 'f' : `recall_${measure}`;
+    if (!line || line[`${key}_lo`] === undefined) return pooledInterval(rows, measure);
+    return line[`${key}_lo`] === null ? null : {low: line[`${key}_lo`], high: line[`${key}_hi`]};
+}
+
 /// What the page calls a part of the suite.
 function splitTitle(split) {
     return {train: 'training', heldout: 'held-out', real: 'real models'}[split] ?? split;
 }
 
 function isFiltered() {
-    return ['families', 'methods', 'scenes', 'split', 'measure', 'budget'].some(name => !state.isDefault(name));
+    return ['families', 'methods', 'scenes', 'split', 'measure', 'budget', 'margin'].some(name => !state.isDefault(name));
 }
 
 function drawFilters(root) {

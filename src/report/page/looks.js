@@ -98,7 +98,12 @@ function formatNumber(value) {
     return value.toExponential(1);
 }
 
-const formatMs = formatNumber;
+/// Milliseconds with three digits that count, as the program writes them.
+function formatMs(ms) {
+    if (!isNumber(ms)) return NOTHING;
+    // What rounds to 10 or 100 is shown as such: 9.996 is "10.0", not "10.00".
+    return ms.toFixed(ms < 0.0995 ? 3 : ms < 9.995 ? 2 : ms < 99.95 ? 1 : 0);
+}
 
 function formatPercent(share, digits = 1) {
     return isNumber(share) ? `${(100 * share).toFixed(digits)} %` : NOTHING;

@@ -1,7 +1,7 @@
 // Puts the page together. Sections stand in the order in which their files were read; each draws
 // what the filters leave when it comes near the window, and again when a choice changes.
 
-const FILTERS = ['run', 'families', 'methods', 'scenes', 'split', 'measure', 'budget'];
+const FILTERS = ['run', 'families', 'methods', 'scenes', 'split', 'measure', 'budget', 'margin'];
 
 function drawSection(section) {
     section.isStale = false;

@@ -1,10 +1,6 @@
 // Numbers of rows that are shown together. The definitions are those of summary.csv; a test holds
 // the two against each other.
 
-const RESAMPLES = 1000;
-/// With fewer the error of a difference is hardly known.
-const FEWEST_SCENES = 6;
-
 /// F of counts: 1 where nothing is drawn and nothing is there.
 function fOf(k, predicted, truth) {
     return predicted + truth === 0 ? 1 : (2 * k) / (predicted + truth);
@@ -62,29 +58,21 @@ function summed(rows, measure) {
     return [over, under];
 }
 
+/// Whether a measure is an F, which is 1 where nothing is drawn and nothing is there.
+function isF(measure) {
+    return measure.startsWith('f_');
+}
+
 /// A ratio of sums; null where the measure has nothing to say, and 1 for F of two empty images.
 function ratio([over, under], measure, hasRows) {
     if (!hasRows) return null;
-    if (under === 0) return measure.startsWith('f_') ? 1 : null;
+    if (under === 0) return isF(measure) ? 1 : null;
     return over / under;
 }
 
 /// The measure over all of `rows`, their counts pooled; null if none of them has any.
 function pooled(rows, measure) {
     return ratio(summed(rows, measure), measure, rows.some(isScored));
-}
-
-/// Random numbers below 2^32, the same for the same seed (xorshift32).
-function randomNumbers(seed) {
-    let state = (seed * 2654435761 + 1) >>> 0 || 1;
-    return () => {
-        state ^= state << 13;
-        state >>>= 0;
-        state ^= state >>> 17;
-        state ^= state << 5;
-        state >>>= 0;
-        return state;
-    };
 }
 
 function quantile(sorted, share) {
@@ -97,125 +85,6 @@ function quantile(sorted, share) {
 
 function ascending(values) {
     return values.filter(value => value !== null && Number.isFinite(value)).sort((a, b) => a - b);
-}
-
-/// The 95 % interval of `statistic` over clusters drawn anew with replacement; null with fewer than
-/// two clusters. `statistic` is given the indices that were drawn.
-function bootstrap(clusterCount, statistic) {
-    if (clusterCount < 2) return null;
-    const random = randomNumbers(clusterCount);
-    const values = [];
-    const drawn = new Int32Array(clusterCount);
-    for (let i = 0; i < RESAMPLES; ++i) {
-        for (let j = 0; j < clusterCount; ++j) drawn[j] = random() % clusterCount;
-        const value = statistic(drawn);
-        if (value !== null) values.push(value);
-    }
-    if (values.length === 0) return null;
-    const sorted = ascending(values);
-    return {low: quantile(sorted, 0.025), high: quantile(sorted, 0.975)};
-}
-
-/// The 95 % interval of the pooled measure: scenes are drawn anew, each with all its views, for
-/// views of one scene are hard or easy together.
-function pooledInterval(rows, measure) {
-    const sums = [...groupBy(rows.filter(isScored), row => row.scene).values()].map(
-        ofScene => summed(ofScene, measure));
-    return bootstrap(sums.length, drawn => {
-        let over = 0;
-        let under = 0;
-        for (const scene of drawn) {
-            over += sums[scene][0];
-            under += sums[scene][1];
-        }
-        return ratio([over, under], measure, true);
-    });
-}
-
-/// Rows `a` and `b` over the views that both have, summed by scene; `difference` is that of the
-/// measure over the scenes it is given (names, any of them several times). Null without such a view.
-function pairUp(a, b, measure) {
-    const keyOf = row => `${row.scene}\n${row.view}`;
-    const ofB = new Map(b.filter(isScored).map(row => [keyOf(row), row]));
-    const pairs = a.filter(row => isScored(row) && ofB.has(keyOf(row)));
-    if (pairs.length === 0) return null;
-    const sums = new Map([...groupBy(pairs, row => row.scene)].map(([scene, rows]) => [scene, [
-        ...summed(rows, measure),
-        ...summed(rows.map(row => ofB.get(keyOf(row))), measure),
-    ]]));
-    const difference = drawn => {
-        const total = [0, 0, 0, 0];
-        for (const scene of drawn) {
-            const sum = sums.get(scene);
-            if (sum) for (let i = 0; i < 4; ++i) total[i] += sum[i];
-        }
-        const ofA = ratio(total.slice(0, 2), measure, true);
-        const ofOther = ratio(total.slice(2), measure, true);
-        return ofA === null || ofOther === null ? null : ofA - ofOther;
-    };
-    return {scenes: [...sums.keys()], views: pairs.length, difference};
-}
-
-function differenceOf(pair) {
-    const value = pair && pair.difference(pair.scenes);
-    if (value === null) return null;
-    const range = bootstrap(pair.scenes.length, drawn => pair.difference(Array.from(drawn, i => pair.scenes[i])));
-    return {value, range, views: pair.views, scenes: pair.scenes.length};
-}
-
-/// By how much the measure of rows `a` exceeds that of rows `b`, over the views that both have, with
-/// its 95 % interval; null if they have none in common.
-function pairedDifference(a, b, measure) {
-    return differenceOf(pairUp(a, b, measure));
-}
-
-/// The quantile of Student's distribution at which the normal one has `z`: the expansion 26.7.5 of
-/// Abramowitz and Stegun.
-function students(z, freedom) {
-    const z2 = z * z;
-    const first = (z2 + 1) / 4;
-    const second = ((5 * z2 + 16) * z2 + 3) / 96;
-    const third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
-    return z * (1 + (first + (second + third / freedom) / freedom) / freedom);
-}
-
-/// The same of each of several lists of rows over `b`. Each has `rangeOfAll` too: the intervals that
-/// hold all together in 95 % of cases, found as statistics/simultaneous.h says.
-function pairedDifferences(lists, b, measure) {
-    const pairs = lists.map(a => pairUp(a, b, measure));
-    const differences = pairs.map(differenceOf);
-    const asked = differences.map((d, i) => ({d, pair: pairs[i]})).filter(({d}) => d && d.range);
-    if (asked.length < 2) return differences;
-    const scenes = [...new Set(asked.flatMap(({pair}) => pair.scenes))];
-    const random = randomNumbers(scenes.length);
-    for (const one of asked) one.values = [];
-    for (let i = 0; i < RESAMPLES; ++i) {
-        const drawn = scenes.map(() => scenes[random() % scenes.length]);
-        for (const one of asked) one.values.push(one.pair.difference(drawn));
-    }
-    const largest = new Float64Array(RESAMPLES);
-    for (const one of asked) {
-        const known = one.values.filter(value => value !== null);
-        const mean = known.reduce((sum, value) => sum + value, 0) / known.length;
-        one.error = Math.sqrt(known.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(1, known.length - 1));
-        if (!(one.error > 0) || one.d.scenes < FEWEST_SCENES) continue;
-        one.values.forEach((value, i) => {
-            if (value !== null) largest[i] = Math.max(largest[i], Math.abs(value - one.d.value) / one.error);
-        });
-    }
-    const reach = quantile(largest.sort(), 0.95);
-    for (const {d, error} of asked) {
-        const half = d.scenes < FEWEST_SCENES ? 1 : students(reach, d.scenes - 1) * error;
-        d.rangeOfAll = {low: Math.max(-1, d.value - half), high: Math.min(1, d.value + half)};
-    }
-    return differences;
-}
-
-/// Whether chance in the choice of scenes, and of the pair where many were looked at, does not
-/// explain a difference.
-function isSignificant(difference) {
-    const range = difference && (difference.rangeOfAll || difference.range);
-    return Boolean(range && (range.low > 0 || range.high < 0));
 }
 
 /// Points that no other beats in both x and y, by x; of equal points the first.
@@ -236,6 +105,31 @@ function timeOf(rows) {
     return {median: quantile(times, 0.5), low: quantile(times, 0.25), high: quantile(times, 0.75)};
 }
 
+/// How long frames of rows `b` take of those of `a`: the geometric mean over the views that both have of
+/// the ratios of their least times, as `inkbench diff` has it. Null where times do not compare.
+function timeRatio(a, b) {
+    const ofA = new Map(a.map(row => [`${row.scene}\n${row.view}`, row]));
+    const pairs = b.map(row => [ofA.get(`${row.scene}\n${row.view}`), row]).filter(
+        ([first, second]) => first && first.draw_ns_min > 0 && second.draw_ns_min > 0);
+    const differs = pairs.some(([first, second]) => ['cpu', 'simd', 'compiler', 'flags'].some(name => first[name] !== second[name]));
+    if (!pairs.length || differs) return null;
+    return Math.exp(d3.sum(pairs, ([first, second]) => Math.log(second.draw_ns_min / first.draw_ns_min)) / pairs.length);
+}
+
+/// The scene with most of the error within 2 px, and its share of it.
+function errorScene(rows) {
+    const wrong = [...groupBy(rows, row => row.scene)].map(
+        ([scene, own]) => [scene, d3.sum(own, row => row.n_pred + row.n_truth - 2 * row.k_2px)]);
+    const [scene, most] = wrong.reduce((a, b) => (b[1] > a[1] ? b : a), ['', 0]);
+    return {scene, share: most ? most / d3.sum(wrong, w => w[1]) : 0};
+}
+
+/// Whether most of a method's error sits in one of many scenes: its F is then known less well than an
+/// interval says.
+function isErrorInOneScene(line) {
+    return line.scenes >= FEWEST_SCENES && line.errorShare > 0.5;
+}
+
 /// What the rows of one method say together.
 function summarise(method, rows, measure) {
     const scored = rows.filter(isScored);
@@ -244,6 +138,7 @@ function summarise(method, rows, measure) {
         ofScene => pooled(ofScene, measure)));
     const widths = ascending(scored.map(row => row.mean_width_px));
     const time = timeOf(scored);
+    const errors = errorScene(scored);
     return {
         method: method.name,
         info: method,
@@ -253,11 +148,12 @@ function summarise(method, rows, measure) {
         scenes: new Set(scored.map(row => row.scene)).size,
         failed: rows.length - scored.length,
         value: pooled(scored, measure),
-        range: pooledInterval(scored, measure),
         train: ofSplit('train'),
         heldout: ofSplit('heldout'),
         real: ofSplit('real'),
         macro: macro.length ? d3.mean(macro) : null,
+        errorScene: errors.scene,
+        errorShare: errors.share,
         f_1px: pooled(scored, 'f_1px'),
         precision: pooled(scored, 'precision'),
         recall: pooled(scored, 'recall'),

@@ -33,7 +33,8 @@ function aboutTerms() {
             'chose. Real models are files. A conclusion holds on the parts it names and on no other.'],
         ['95 % interval', `where a value would lie for other scenes like these: scenes are drawn anew ${RESAMPLES} ` +
             'times with replacement, each with all its views, because views of one scene are hard or easy ' +
-            'together. One scene gives no interval.'],
+            'together (the bootstrap t). Such intervals of the catalogue’s scenes hold the truth in 80 of 100 cases with 6 ' +
+            'scenes, in 85 with 16 and in 90 with 36; in fewer where most of the error sits in one scene. Fewer than six give none.'],
         ['paired difference', 'two methods compared on the same views, scenes drawn anew for both together. Of ' +
             'twenty 95 % intervals, one misses by chance; so where one method is held against many, an interval that ' +
             'holds for all of them together decides (the maximum-t method of Westfall and Young, 1993).'],

@@ -12,7 +12,7 @@ addSection({
         const classes = RECALL_GROUPS.filter(name => view.summaries.some(s => s.classes[name] !== null));
         const methods = [...view.contestants].sort((a, b) => (b.recall ?? 0) - (a.recall ?? 0));
         const points = methods.flatMap(s => classes.map(name => ({
-            method: s, name, value: s.classes[name], range: pooledInterval(s.rows, name),
+            method: s, name, value: s.classes[name], range: rangeOf(view.run, s, name, view.hasAllScenes),
         }))).filter(p => p.value !== null);
         makeChart(root, {
             id: 'classes', title: 'Recall by class of line',

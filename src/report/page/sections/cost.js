@@ -63,8 +63,8 @@ function costChart(root, methods) {
             const x = makeScale(values, [0, area.width], options);
             const y = makeScale(values, [area.height, 0], options);
             const log = isLog ? ', logarithmic' : '';
-            drawAxes(area, x, y, {bottom: {isLog, title: `predicted, ms${log}`, format: formatMs},
-                                  left: {isLog, title: `least time measured, ms${log}`, format: formatMs}});
+            drawAxes(area, x, y, {bottom: {isLog, title: `predicted, ms${log}`, format: formatNumber},
+                                  left: {isLog, title: `least time measured, ms${log}`, format: formatNumber}});
             const [low, high] = x.domain();
             area.plot.append('line').attr('class', 'zero').attr('x1', x(low)).attr('y1', y(low)).attr('x2', x(high))
                 .attr('y2', y(high));

@@ -6,8 +6,8 @@ addSection({
     id: 'differences',
     title: 'Paired differences',
     intro: 'By how much a method is better (right) or worse (left) than the one it is held against, with its 95 % interval: ' +
-        'scenes are drawn anew, both methods on the same ones. The thin line is the interval that holds together with all ' +
-        'others of the chart. Solid: that one leaves out 0.',
+        'scenes are drawn anew, both methods on the same ones. The thin line is the interval that is to hold together with those of ' +
+        'all pairs. Solid: that one leaves out 0, so one leads.',
     isThere: view => view.contestants.length > 1,
     uses: ['against', 'sort.differences'],
     draw(root, view) {
@@ -15,18 +15,17 @@ addSection({
         const against = names.includes(state.get('against')) ? state.get('against') : (view.best || view.contestants[0]).method;
         const other = view.contestants.find(s => s.method === against);
         const others = view.contestants.filter(s => s !== other);
-        const differences = pairedDifferences(others.map(s => s.rows), other.rows, view.measure);
-        const lines = others.map((s, i) => ({
-            method: s.method, info: s.info, rows: s.rows, difference: differences[i],
+        const lines = others.map(s => ({
+            method: s.method, info: s.info, rows: s.rows, difference: view.differenceOf(s.method, against),
         })).filter(line => line.difference).sort((a, b) => b.difference.value - a.difference.value);
         makeChart(root, {
             id: 'differences', title: `${MEASURES[view.measure].title} less that of ${against}`,
             height: 24 + 22 * lines.length + 46,
             controls: [chooser('Against', names.map(n => [n, n]), against, name => state.set({against: name}))],
             draw: chart => drawDifferences(chart, lines, `difference in ${MEASURES[view.measure].title}`),
-            csv: () => [['method', 'against', 'difference', 'low', 'high', 'low_of_all', 'high_of_all', 'views'], ...lines.map(line => [
+            csv: () => [['method', 'against', 'difference', 'low', 'high', 'low_of_all', 'high_of_all', 'scenes', 'better', 'worse'], ...lines.map(line => [
                 line.method, against, line.difference.value, ...rangeCells(line.difference.range),
-                ...rangeCells(line.difference.rangeOfAll), line.difference.views])],
+                ...rangeCells(line.difference.rangeOfAll), line.difference.scenes, line.difference.better, line.difference.worse])],
         });
     },
 });
@@ -56,7 +55,7 @@ function drawDifferences(chart, lines, title) {
         const node = plot.append('g').attr('class', 'point').attr('transform', `translate(${x(difference.value)},${y})`);
         node.append('circle').attr('r', 10).attr('class', 'catch');
         node.append('circle').attr('r', 5).style('stroke', colourOf(line.info)).style('stroke-width', 1.6)
-            .style('fill', isSignificant(difference) ? colourOf(line.info) : 'var(--paper)');
+            .style('fill', isLead(difference) ? colourOf(line.info) : 'var(--paper)');
         plot.append('text').attr('class', 'tick').attr('x', width + 8).attr('y', y + 4).text(formatSigned(difference.value, 4));
         answerPointer(node, line.rows, [`${formatSigned(difference.value, 4)}, 95 % interval ${formatSignedRange(difference.range, 4)}, ` +
             (difference.rangeOfAll ? `with all others together ${formatSignedRange(difference.rangeOfAll, 4)}, ` : '') + count(difference.views, 'view')]);

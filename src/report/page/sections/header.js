@@ -6,9 +6,11 @@ function drawHeader(root, view) {
     root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
+        ...[invalidWarning, missingWarning].map(make => make(view)),
         element('h1', {}, headline(view)),
-        ...[invalidWarning, missingWarning, unscoredWarning].map(make => make(view)).filter(Boolean),
+        unscoredWarning(),
         run.rows.length ? element('p', {class: 'lead'}, ...verdictSentences(view)) : element('p', {class: 'lead'}, runWords(run)),
+        best && runs.length === 1 ? element('p', {class: 'soft paper-sentence'}, element('b', {}, 'For a paper: '), paperSentence(view)) : null,
         best ? element('dl', {class: 'facts'}, headerFacts(view).map(([name, value, unit]) => element('div', {},
             element('dt', {}, name), element('dd', {}, value, unit ? element('small', {}, ` ${unit}`) : null)))) : null,
     ].filter(Boolean));
@@ -21,40 +23,20 @@ function runWords(run) {
 }
 
 function headline(view) {
-    const {best, run, measure} = view;
-    const budget = state.get('budget');
+    const {run} = view;
     if (runs.length > 1) return `${runs.length} runs beside each other: ${runs.map(r => r.label).join(', ')}`;
-    if (!best) return run.rows.length ? 'No method has a score here' : run.record.name === run.record.kind
-        ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
-    const within = budget ? `Within ${formatMs(budget)} ms ` : '';
-    const fewest = measure === 'f_2px' ? 'makes the fewest errors' : `is best in ${MEASURES[measure].title}`;
-    return `${within}${best.method} ${fewest}`;
+    if (run.rows.length) return answerWords(view)[0];
+    return run.record.name === run.record.kind ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
 }
 
 function verdictSentences(view) {
-    const {best, ranked, contestants, measure} = view;
-    if (!best) return ['No method is left by these filters.'];
-    const words = [(runs.length > 1 ? `${view.run.label}: ${best.method} is best, ` : '') +
-        `${MEASURES[measure].title} ${formatShare(best.value)}` +
-        (best.range ? ` (95 % interval ${formatRange(best.range)})` : '') +
-        ` over ${count(best.views, 'view')} of ${count(best.scenes, 'scene')}` +
-        (best.ms ? `, ${formatMs(best.ms)} ms a frame. ` : '. ')];
-    const second = ranked[1];
-    if (second) {
-        const others = ranked.filter(s => s !== best);
-        const difference = pairedDifferences(others.map(s => s.rows), best.rows, measure)[others.indexOf(second)];
-        if (difference && difference.range) {
-            const range = difference.rangeOfAll || difference.range;
-            const interval = `95 % interval ${formatSignedRange({low: -range.high, high: -range.low}, 4)}` +
-                (difference.rangeOfAll ? ` for all ${others.length} others together` : '');
-            words.push(isSignificant(difference)
-                ? `It is ahead of ${second.method} by ${formatSigned(-difference.value, 4)} (${interval}). `
-                : `Statistical tie with ${second.method}: difference ${formatSigned(-difference.value, 4)}, ${interval}. `);
-        }
-        if (best.scenes === 1) words.push('One scene gives no interval: this may be chance. ');
-        else if (best.scenes < 5) words.push(`An interval from ${best.scenes} scenes is a rough one. `);
-    }
-    words.push(partWords(contestants));
+    const {best, contestants} = view;
+    if (!best) return contestants.length ? [] : ['No method is left by these filters.'];
+    const [first, rest] = answerWords(view);
+    const most = d3.greatest(contestants, s => s.value);
+    const words = [runs.length > 1 ? `${view.run.label}: ${first}. ${rest} ` : `${rest} `,
+        `${measureWord(view.measure)} is at ${view.measure === 'f_1px' ? 1 : 2} px, over ${count(most.views, 'view')} of ${count(most.scenes, 'scene')} pooled. `,
+        partWords(contestants)];
     const front = paretoFront(contestants, s => s.ms, s => 1 - s.value).map(s => s.method);
     if (front.length > 1) words.push(`No method is both faster and better than these: ${front.join(', ')}.`);
     return words.filter(Boolean);
@@ -75,7 +57,7 @@ function headerFacts(view) {
     const {run, best} = view;
     const row = run.rows[0];
     return [
-        ['best ' + MEASURES[view.measure].title, formatShare(best.value)],
+        [MEASURES[view.measure].title, formatShare(best.value)],
         best.ms ? ['its frame', formatMs(best.ms), 'ms'] : null,
         ['methods', String(view.contestants.length)],
         ['scenes', String(view.scenes.length)],

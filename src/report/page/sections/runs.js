@@ -53,7 +53,7 @@ function runLines(ofA, ofB, measure) {
         const tagged = (differing.length ? differing : both).map(row => Object.assign(Object.create(row), {run: ofB.run.index}));
         return {
             method: first.method, info: second.info, rows: tagged, isSame: differing.length === 0, differing: differing.length,
-            first: first.value, second: second.value, firstMs: first.ms, secondMs: second.ms,
+            first: first.value, second: second.value, firstMs: first.ms, secondMs: second.ms, timeRatio: timeRatio(first.rows, second.rows),
             difference: pairedDifference(second.rows, first.rows, measure),
         };
     }).filter(Boolean).sort((a, b) => a.isSame - b.isSame ||
@@ -71,13 +71,13 @@ function drawRunTable(root, lines, view) {
             {key: 'second', title: 'second', value: line => line.second, text: line => formatShare(line.second, 4)},
             {key: 'difference', title: 'difference', value: line => line.difference && line.difference.value,
              text: line => formatSigned(line.difference && line.difference.value, 4),
-             css: line => (line.difference && isSignificant(line.difference) ? 'font-weight:700' : null)},
+             css: line => (line.difference && isLead(line.difference) ? 'font-weight:700' : null)},
             {key: 'range', title: '95 % interval', value: line => line.difference && line.difference.range && line.difference.range.low,
              text: line => formatSignedRange(line.difference && line.difference.range, 4)},
             {key: 'firstMs', title: 'ms, first', value: line => line.firstMs, text: line => formatMs(line.firstMs)},
             {key: 'secondMs', title: 'second', value: line => line.secondMs, text: line => formatMs(line.secondMs)},
-            {key: 'times', title: 'ratio', value: line => (line.firstMs && line.secondMs ? line.secondMs / line.firstMs : null),
-             text: line => (line.firstMs && line.secondMs ? (line.secondMs / line.firstMs).toFixed(2) : NOTHING)},
+            {key: 'times', title: 'ratio', value: line => line.timeRatio, help: 'Second over first: geometric mean over views of the ratios of least times; none where machine or compiler differ',
+             text: line => (line.timeRatio === null ? NOTHING : line.timeRatio.toFixed(2))},
         ],
     });
 }

@@ -17,7 +17,7 @@ addSection({
             methodColumn(line => line.info, {rows: rowsOf}),
             shareColumn('value', title, line => line.value, {rows: rowsOf}),
             {key: 'range', title: '95 % interval', value: line => (line.range ? line.range.low : null),
-             text: line => formatRange(line.range), help: 'Scenes are drawn anew with replacement, each with all its views'},
+             text: line => formatRange(line.range), help: 'Scenes are drawn anew with replacement, each with all its views; none with fewer than six'},
             shareColumn('train', 'training', line => line.train, {help: 'Over the training scenes'}),
             shareColumn('heldout', 'held-out', line => line.heldout, {help: 'Over scenes that no setting was tuned on'}),
             shareColumn('real', 'real models', line => line.real, {help: 'Over model files; the other scenes are made by code'}),
