@@ -33,8 +33,31 @@ def _numbers(values, digits):
     return texts
 
 
+def _ms(value):
+    """Milliseconds with three digits that count, as the program's verdict has them."""
+    digits = 3 if value < 0.0995 else 2 if value < 9.995 else 1 if value < 99.95 else 0
+    return f"{value:.{digits}f}"
+
+
+def _answer(lines):
+    """The method that the program answers with, or None; and that and the most exact as facts."""
+    def fact(what, name):
+        line = lines.loc[name]
+        return f"{what}: {name}, F {line['f_2px']:.3f}" + \
+            ("" if pd.isna(line["draw_ms"]) else f" in {_ms(line['draw_ms'])} ms")
+
+    places = lines["answer"].fillna("") if "answer" in lines else pd.Series("", lines.index)
+    found = list(places.index[places.isin(["answer", "both"])])
+    facts = [fact("the answer", name) for name in found] + \
+        [fact("the most exact", name) for name in places.index[places == "best"]]
+    return next(iter(found), None), facts
+
+
 def verdict(runs, style):
-    """F with its interval, time, bytes and, on a wide page, recall by class, a line a method."""
+    """F with its interval, time, bytes and, on a wide page, recall by class, a line a method.
+
+    The method that the program answers with has its name in bold.
+    """
     summary = runs.summary()
     methods = style.by_family(summary.index)
     if not methods:
@@ -42,7 +65,9 @@ def verdict(runs, style):
     order = methods + [b for b in BASELINES if b in summary.index]
     lines = summary.loc[order]
     is_wide = style.width_in * MM_PER_IN >= _WIDE_MM
-    columns = {"method": [_escaped(m) for m in order],
+    answer, facts = _answer(lines)
+    columns = {"method": [rf"\textbf{{{_escaped(m)}}}" if m == answer else _escaped(m)
+                          for m in order],
                "$F$": _numbers(lines["f_2px"].where(~lines.index.isin(BASELINES)), 3),
                r"95\,\%": ["--" if pd.isna(a) else f"{a:.3f}--{b:.3f}"
                            for a, b in zip(lines["f_lo"], lines["f_hi"])]}
@@ -50,7 +75,7 @@ def verdict(runs, style):
         if name in BASELINES and not pd.isna(lines.loc[name, "f_2px"]):
             columns["$F$"][i] = f"{lines.loc[name, 'f_2px']:.3f}"
     if lines["draw_ms"].notna().any():
-        columns["ms"] = ["--" if pd.isna(v) else f"{v:.2f}" for v in lines["draw_ms"]]
+        columns["ms"] = ["--" if pd.isna(v) else _ms(v) for v in lines["draw_ms"]]
     columns["B/px"] = ["--" if pd.isna(v) else f"{v:g}" for v in lines["bytes_per_px"]]
     there = [c for c in RECALL_GROUPS if lines[f"recall_{c}"].notna().any()] if is_wide else []
     for name in there:
@@ -75,5 +100,6 @@ def verdict(runs, style):
     return Table("\n".join(out), f"F at 2 px of {counted(len(methods), 'method')} with its 95 % "
                  "interval, the time of a frame and the bytes of its buffers"
                  + (", and recall by class of line" if there else "")
-                 + "; bold is best where no other shows the same digits; below the baselines. "
-                 + runs.source("summary.csv"))
+                 + "; bold is best where no other shows the same digits, and the name of the method "
+                 "that is the cheapest of those with nearly the best F; below the baselines. "
+                 + runs.source("summary.csv"), facts)

@@ -48,11 +48,15 @@ def f_by_method(runs, style):
     layout.key(figure, style, entries)
     best = summary.loc[methods, "f_2px"].sort_values(ascending=False)
     facts = ["best: " + "; ".join(
-        f"{m} {summary.loc[m, 'f_2px']:.3f} [{summary.loc[m, 'f_lo']:.3f}, "
-        f"{summary.loc[m, 'f_hi']:.3f}]" for m in best.index[:3])]
+        f"{m} {summary.loc[m, 'f_2px']:.3f}{_interval(summary.loc[m])}" for m in best.index[:3])]
     return Chart(figure, "F at 2 px of each method over all scenes, with 95 % intervals (scenes "
                  "resampled with all their views). " + _extent(runs) + runs.source("summary.csv"),
                  facts)
+
+
+def _interval(line):
+    """" [0.912, 0.934]", or "" where too few scenes give none."""
+    return "" if pd.isna(line["f_lo"]) else f" [{line['f_lo']:.3f}, {line['f_hi']:.3f}]"
 
 
 def _extent(runs):
@@ -242,7 +246,7 @@ def differences(runs, style):
     methods = list(dict.fromkeys(frame["method"]))
     wide = frame.pivot(index="method", columns="other", values="difference") \
         .reindex(index=methods, columns=methods)
-    sure = frame.assign(sure=(frame["lo"] > 0) | (frame["hi"] < 0)) \
+    sure = frame.assign(sure=(frame["lo_of_all"] > 0) | (frame["hi_of_all"] < 0)) \
         .pivot(index="method", columns="other", values="sure").reindex(index=methods,
                                                                       columns=methods)
     count = len(methods)
@@ -272,11 +276,11 @@ def differences(runs, style):
                           label=label)
     bar.outline.set_visible(False)
     pairs = sure.stack()
-    facts = [f"{int(pairs.sum() / 2)} of {len(pairs) // 2} pairs differ beyond chance (each at 95 %,"
-             " no correction for their number)"]
+    facts = [f"in {int(pairs.sum() / 2)} of {len(pairs) // 2} pairs one leads beyond chance (95 %, all "
+             "pairs together)"]
     return Chart(figure, "Paired differences of F at 2 px in thousandths: the method of the row "
-                 "less that of the column, over the views that both have. White cells: the 95 % "
-                 "interval (scenes resampled for both together) holds 0. "
+                 "less that of the column, over the views that both have. White cells: neither "
+                 "leads, for its 95 % interval (scenes resampled, all pairs together) holds 0. "
                  + runs.source("differences.csv"), facts)
 
 
