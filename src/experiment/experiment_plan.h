@@ -12,6 +12,7 @@
 #include "experiment/stage_times.h"
 #include "harness/tables/table.h"
 #include "harness/tracing.h"
+#include "summary/answer.h"
 
 namespace ink::experiment {
 
