@@ -50,6 +50,11 @@ def _answer(lines):
     found = list(places.index[places.isin(["answer", "both"])])
     facts = [fact("the answer", name) for name in found] + \
         [fact("the most exact", name) for name in places.index[places == "best"]]
+    if "error_scene_share" in lines:
+        facts += [f"{name}: {100 * line['error_scene_share']:.0f} % of its error in "
+                  f"{line['error_scene']}" for name, line in lines.iterrows()
+                  if line["kind"] == "method" and line["scenes"] >= 6
+                  and line["error_scene_share"] > 0.5]
     return next(iter(found), None), facts
 
 

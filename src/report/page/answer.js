@@ -29,11 +29,10 @@ function scenesText(view, number) {
     return count(number, view.allRows.every(row => row.split === 'real') ? 'model' : 'scene');
 }
 
-/// "0.995", with the scene that most of the error is in where it sits in one.
-function valueText(view, line) {
-    const scene = view.measure === 'f_2px' && isErrorInOneScene(line)
-        ? ` (${(100 * line.errorShare).toFixed(0)} % of its error in ${line.errorScene})` : '';
-    return formatShare(line.value) + scene;
+/// "72 % of its error in bars"; "" where it does not sit in one scene.
+function errorSceneText(view, line) {
+    return view.measure === 'f_2px' && isErrorInOneScene(line)
+        ? `${(100 * line.errorShare).toFixed(0)} % of its error in ${line.errorScene}` : '';
 }
 
 /// " in 1.60 ms"; "" without a time.
@@ -66,14 +65,16 @@ function answerWords(view) {
     const within = budget ? `Within ${formatMs(budget)} ms, ` : '';
     if (!method && fastest) return [`${within}none has a score: none is faster than ${formatMs(fastest.ms)} ms (${fastest.method})`, ''];
     if (!method) return ['No method has a score here', ''];
-    const first = `${within}${method.method}: ${measureWord(view.measure)} ${valueText(view, method)}${timeText('in', method)}`;
-    if (!other) return [`${first}, the only method scored`, ''];
+    const first = `${within}${method.method}: ${measureWord(view.measure)} ${formatShare(method.value)}${timeText('in', method)}`;
+    const [scene, otherScene] = [method, other].map(line => line && errorSceneText(view, line));
+    const note = scene ? `It has ${scene}. ` : '';
+    if (!other) return [`${first}, the only method`, note.trim()];
     const difference = view.differenceOf(other.method, method.method);
     const leads = isLead(difference);
     const isBest = method === mostExact;
     return [first + (isBest ? ', the most exact' : '') + (method.ms === null ? '; no time was taken' : ''),
-        (leads && isBest ? 'It leads: ' : '') + `${other.method} ${leads && !isBest ? 'leads with' : 'has'} ` +
-        valueText(view, other) + timeText('at', other) +
+        note + (leads && isBest ? 'It leads: ' : '') + `${other.method} ${leads && !isBest ? 'leads with' : 'has'} ` +
+        formatShare(other.value) + (otherScene ? ` (${otherScene})` : '') + timeText('at', other) +
         (difference ? ` (${differenceText(difference)}).${intervalSentence(view, difference)}` : '.')];
 }
 

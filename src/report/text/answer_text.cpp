@@ -31,13 +31,14 @@ std::string scenes_text(const std::vector<harness::Row>& rows, int count) {
     return fmt::format("{} {}{}", count, are_models ? "model" : "scene", count == 1 ? "" : "s");
 }
 
-/// "0.995", with the scene that most of the error is in where it sits in one.
 std::string f_text(const MethodSummary& s) {
-    std::string text = fmt::format("{:.3f}", *s.f_2px);
-    if (summary::is_error_in_one_scene(s))
-        text += fmt::format(
-            " ({:.0f} % of its error in {})", 100 * *s.error_scene_share, s.error_scene);
-    return text;
+    return fmt::format("{:.3f}", *s.f_2px);
+}
+
+/// "72 % of its error in bars"; "" where it does not sit in one scene.
+std::string error_scene_text(const MethodSummary& s) {
+    if (!summary::is_error_in_one_scene(s)) return "";
+    return fmt::format("{:.0f} % of its error in {}", 100 * *s.error_scene_share, s.error_scene);
 }
 
 /// " in 1.60 ms"; "" without a time.
@@ -89,11 +90,13 @@ std::string other_sentences(const std::vector<harness::Row>& rows,
     const auto paired = difference_of(differences, answer);
     const bool is_lead = paired && paired->is_significant();
     const bool is_answer_best = answer.method == answer.most_exact;
-    return fmt::format(" {}{} {} {}{}{}.{}",
+    const std::string scene = error_scene_text(other);
+    return fmt::format(" {}{} {} {}{}{}{}.{}",
                        is_lead && is_answer_best ? "It leads: " : "",
                        code(other.method, markup),
                        is_lead && !is_answer_best ? "leads with" : "has",
                        f_text(other),
+                       scene.empty() ? "" : fmt::format(" ({})", scene),
                        time_text("at", other),
                        paired ? fmt::format(" ({})", format_paired_difference(*paired, true)) : "",
                        paired ? interval_sentence(rows, *paired) : "");
@@ -145,10 +148,13 @@ std::string answer_sentences(const std::vector<harness::Row>& rows,
                                    strong(method.method, markup),
                                    f_text(method),
                                    time_text("in", method));
-    if (answer.other() == nullptr) return text + ", the only method scored.";
-    if (&method == answer.most_exact) text += ", the most exact";
-    text += method.draw_ms ? "." : "; no time was taken.";
-    return text + other_sentences(rows, differences, answer, markup);
+    const bool is_alone = answer.other() == nullptr;
+    if (is_alone) text += ", the only method";
+    if (!is_alone && &method == answer.most_exact) text += ", the most exact";
+    text += method.draw_ms || is_alone ? "." : "; no time was taken.";
+    const std::string scene = error_scene_text(method);
+    if (!scene.empty()) text += fmt::format(" It has {}.", scene);
+    return is_alone ? text : text + other_sentences(rows, differences, answer, markup);
 }
 
 std::string paper_sentence(const std::vector<harness::Row>& rows,

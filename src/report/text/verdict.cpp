@@ -137,6 +137,19 @@ std::string sample_warning(const char* baseline,
         core::format_share(exact->f_2px));
 }
 
+/// Names the methods whose error sits in one scene, for their F is known less well than it seems;
+/// empty if there is none.
+std::string error_scenes(const std::vector<summary::MethodSummary>& summaries) {
+    std::vector<std::string> texts;
+    for (const summary::MethodSummary& s : summaries) {
+        if (s.is_baseline || !summary::is_error_in_one_scene(s)) continue;
+        texts.push_back(
+            fmt::format("{} {:.0f} % in {}", s.method, 100 * *s.error_scene_share, s.error_scene));
+    }
+    if (texts.empty()) return "";
+    return fmt::format("Most of the error in one scene: {}.", fmt::join(texts, ", "));
+}
+
 /// A warning that names the view in which rounding of coordinates shows most; empty if in none.
 std::string rounding_warning(const std::vector<harness::Row>& rows) {
     const auto most = std::max_element(
@@ -159,7 +172,8 @@ std::string rounding_warning(const std::vector<harness::Row>& rows) {
 /// What stands below the verdict's sentence, each a line of its own.
 std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
                                   const std::vector<summary::MethodSummary>& summaries) {
-    std::vector<std::string> lines = {sample_warning("sampled", rows, summaries),
+    std::vector<std::string> lines = {error_scenes(summaries),
+                                      sample_warning("sampled", rows, summaries),
                                       sample_warning("exact_corner", rows, summaries),
                                       draw::crosscheck_sentence(rows),
                                       rounding_warning(rows)};

@@ -10,6 +10,7 @@ addSection({
     uses: ['sort.verdict'],
     draw(root, view) {
         drawSampledWarning(root, view);
+        drawErrorScenes(root, view);
         const classes = RECALL_GROUPS.filter(name => view.summaries.some(s => s.classes[name] !== null));
         const rowsOf = line => (line.isBaseline ? null : line.rows);
         const title = MEASURES[view.measure].title;
@@ -40,6 +41,14 @@ addSection({
         });
     },
 });
+
+/// Names the methods whose error sits in one scene, for their F is known less well than it seems.
+function drawErrorScenes(root, view) {
+    const lines = view.contestants.filter(line => errorSceneText(view, line));
+    if (!lines.length) return;
+    root.append(element('p', {class: 'note'}, `Most of the error in one scene: ${lines.map(
+        line => `${line.method} ${(100 * line.errorShare).toFixed(0)} % in ${line.errorScene}`).join(', ')}.`));
+}
 
 /// Names the methods of one sample a pixel that score above the baseline that samples where they
 /// do: by luck or by drawing wide.
