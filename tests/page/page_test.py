@@ -82,8 +82,32 @@ class PageTest(BrowserTest):
             self.assertEqual(self.find("h1").text, first)
             self.assertIn(rest, self.find(".lead").text)
             self.assertIn(self.find(".paper-sentence").text, said)
-        named = {line["answer"]: line["method"] for line in self.tables("summary.csv")}
-        self.assertEqual(named.get("answer", named.get("both")), first.split(":")[0])
+        lines = {line["answer"]: line for line in self.tables("summary.csv")}
+        winner = lines.get("answer") or lines["both"]
+        self.assertEqual(winner["method"], first.split(":")[0])
+        self.check_latex(winner, first)
+
+    def check_latex(self, winner, sentence):
+        """The table for papers has the answer's name in bold, and its digits."""
+        out = self.folder / "figures"
+        said = inkbench("figures", self.folder / "seven", "--only", "verdict", "--out", out, codes=(0, 2))
+        if "verdict.tex" not in said:  # without matplotlib
+            return
+        bold = [line for line in (out / "verdict.tex").read_text().splitlines() if line.startswith(r"\textbf{")]
+        self.assertEqual(len(bold), 1)
+        name, f, interval, ms = (cell.strip() for cell in bold[0].split("&")[:4])
+        self.assertEqual(name, rf"\textbf{{{winner['method']}}}".replace("_", r"\_"))
+        f = f.removeprefix(r"\textbf{").removesuffix("}")
+        self.assertIn(f"F {f} in {ms} ms", sentence)
+        self.assertEqual(interval, f"{float(winner['f_lo']):.3f}--{float(winner['f_hi']):.3f}")
+        self.assertEqual(self.script(
+            "return formatRange(currentView().summaries.find(s => s.method === arguments[0]).range)", winner["method"]),
+            interval.replace("--", " to "))
+
+    def test_numbers_are_rounded_as_the_program_rounds_them(self):
+        self.open()
+        for value in (0.8125, 0.1875, 0.0625, 0.9375, 0.0005, 0.9995, 0.5, 1.0):
+            self.assertEqual(self.script("return formatShare(arguments[0])", value), f"{value:.3f}")
 
     def test_a_budget_under_the_fastest_says_what_it_takes(self):
         self.open(address="#budget=0.0001")

@@ -32,7 +32,7 @@ struct MethodDiff {
         return settings.empty() && changed_images + changed_scores + lost + won == 0;
     }
     /// Whether the second run is worse: a score is lost, or F fell by more than the choice of
-    /// scenes explains (by anything where one scene gives no interval).
+    /// scenes explains (by anything where fewer than six scenes give no interval).
     [[nodiscard]] bool is_worse() const;
 };
 

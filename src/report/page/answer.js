@@ -44,7 +44,7 @@ function timeText(word, line) {
 function differenceText({value, range}) {
     const least = 0.5e-3;
     const digits = !range || (Math.abs(range.low) >= least && Math.abs(range.high) >= least) ? 3 : 4;
-    const signed = number => (number < 0 ? '-' : '+') + Math.abs(number).toFixed(digits);
+    const signed = number => (number < 0 ? '-' : '+') + fixed(Math.abs(number), digits);
     return signed(value) + (range ? ` [${signed(range.low)}, ${signed(range.high)}]` : '');
 }
 

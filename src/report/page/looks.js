@@ -63,9 +63,17 @@ function isNumber(value) {
     return typeof value === 'number' && Number.isFinite(value);
 }
 
+/// A number with so many decimals, as the program rounds it: what lies right between two goes to the
+/// even one, where toFixed takes the larger.
+function fixed(value, digits) {
+    const scaled = value * 10 ** digits;
+    const isBetween = Number.isInteger(value * 2 ** (digits + 1)) && Math.abs(scaled % 1) === 0.5;
+    return (isBetween ? 2 * Math.round(scaled / 2) / 10 ** digits : value).toFixed(digits);
+}
+
 /// A share, 0..1, with three digits.
 function formatShare(value, digits = 3) {
-    return isNumber(value) ? value.toFixed(digits) : NOTHING;
+    return isNumber(value) ? fixed(value, digits) : NOTHING;
 }
 
 function formatSigned(value, digits = 3) {
@@ -77,7 +85,7 @@ function formatSigned(value, digits = 3) {
 
 /// "0.912 to 0.934"; nothing without an interval.
 function formatRange(range, digits = 3) {
-    return range ? `${range.low.toFixed(digits)} to ${range.high.toFixed(digits)}` : NOTHING;
+    return range ? `${fixed(range.low, digits)} to ${fixed(range.high, digits)}` : NOTHING;
 }
 
 function formatSignedRange(range, digits = 3) {
