@@ -144,13 +144,13 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     if (experiment.kind == ExperimentKind::compare) experiment.scenes = scenes_called("catalogue");
     experiment.sizes = {{640, 360}};
     const std::vector<std::string> tables = {
-        "name", "kind", "grid", "measure", "study", "settings", "sweep"};
+        "name", "kind", "grid", "measure", "answer", "study", "settings", "sweep"};
     read_options(reader, "", tables, experiment);
     const toml::table none;
     const auto part = [&](const char* name) {
         return reader.table(name).value_or(methods::TomlReader(none, file, name));
     };
-    for (const char* name : {"grid", "measure", "study"}) {
+    for (const char* name : {"grid", "measure", "answer", "study"}) {
         methods::TomlReader table = part(name);
         read_options(table, name, {}, experiment);
     }

@@ -46,6 +46,9 @@ entrant_seconds = 90
 times = false
 crease_deg = 50
 intersections = "all"
+[answer]
+f_margin = 0.02
+budget_ms = 3
 [settings]
 crease_deg = 30
 [settings.mote4]
@@ -68,6 +71,7 @@ fatten = [true, false]
     EXPECT_EQ(e.repetitions, 4);
     EXPECT_DOUBLE_EQ(e.budget_ms, 10);
     EXPECT_EQ(e.entrant_s, 90);
+    EXPECT_EQ(e.answer, (summary::AnswerRule{0.02, 3}));
     EXPECT_FALSE(e.full_scores || e.crosscheck || e.times);
     EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
     EXPECT_EQ(e.crease_deg, 50);
