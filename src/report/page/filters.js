@@ -54,7 +54,7 @@ function viewOf(run) {
         /// The paired difference of two methods, by name.
         differenceOf: (a, b) => {
             const isTabled = hasAllScenes && measure === 'f_2px' && !state.get('methods') && !state.get('families') &&
-                run.has('differences.csv');
+                run.table('differences.csv').has('scenes');
             differences ??= isTabled ? tabledDifferences(run) : allDifferences(byValue, measure);
             return differences(a, b);
         },
