@@ -37,15 +37,15 @@ struct PairedIntervals {
 /// intervals one misses. Therefore the largest distance of each drawing decides how wide the
 /// intervals of all are (the single-step maximum-t method, which knows how pairs hang together, so
 /// it is narrower than Bonferroni's), and Student's distribution widens them with as many degrees
-/// of freedom as clusters less one. Leads by these are in the wrong direction in less than 1 % of
-/// runs, with 6 scenes or with 36.
+/// of freedom as clusters less one. A lead by these that has the most exact method in it, as a
+/// verdict names it, is in the wrong direction in less than 1 % of runs, with 6 scenes or with 36.
 ///
 /// A drawing without the one scene on which two methods differ has next to no error, and distances
 /// in units of it are next to infinite. So no drawing's error counts for less than a share of the
 /// measured one.
 ///
 /// One entry per pair; `cluster_count` is of all clusters. The same seed gives the same intervals
-/// everywhere, on the page of a run too (statistics.js).
+/// everywhere, on the page of a run too (intervals.js).
 ///
 /// Source: Efron and Tibshirani, An Introduction to the Bootstrap, 1993, section 12.5; Westfall and
 /// Young, Resampling-Based Multiple Testing, 1993, section 2.5; Romano and Wolf, "Exact and
