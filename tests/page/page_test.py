@@ -292,6 +292,16 @@ class PageTest(BrowserTest):
 
     # ---- Warnings ---------------------------------------------------------------------------
 
+    def test_a_run_that_is_not_finished_says_so_before_its_finding(self):
+        half = self.folder / "half"
+        shutil.copytree(self.folder / "before", half)
+        record = (half / "run.toml").read_text()
+        (half / "run.toml").write_text(record.replace("state = 'finished'", "state = 'unfinished'\nmissing = [ 'torus' ]"))
+        inkbench("report", half, "-o", self.folder / "half.html")
+        self.open(self.folder / "half.html")
+        self.assertIn("not finished", self.find("header .warning").text)
+        self.assertLess(self.find("header .warning").location["y"], self.find("h1").location["y"])
+
     def test_a_failed_view_is_seen_without_scrolling(self):
         # As a run names a view whose truth is disputed.
         cut = self.folder / "cut"
