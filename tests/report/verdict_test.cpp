@@ -127,12 +127,14 @@ TEST(VerdictTable, NamesTheCheapestWithinTheMarginAndThenTheMostExact) {
     const auto rows = close_comparison(12);
     EXPECT_THAT(
         verdict_table(rows),
-        AllOf(HasSubstr("\nquick: F 0.953 in 1.60 ms. exact has 0.959 at 13.0 ms (+0.006 ["),
+        AllOf(HasSubstr("\nquick: F 0.953 in 1.60 ms. exact leads with 0.959 at 13.0 ms (+0.006 ["),
               HasSubstr("]). The 95 % interval is resampled over these 12 models; such "
                         "intervals cover about 85 %.")));
-    EXPECT_THAT(verdict_markdown(rows), HasSubstr("\n**quick**: F 0.953 in 1.60 ms. `exact` has"));
-    EXPECT_THAT(verdict_table(rows, {.rule = {.f_margin = 0.001}}),
-                HasSubstr("\nexact: F 0.959 in 13.0 ms, the most exact. quick has 0.953"));
+    EXPECT_THAT(verdict_markdown(rows),
+                HasSubstr("\n**quick**: F 0.953 in 1.60 ms. `exact` leads"));
+    EXPECT_THAT(
+        verdict_table(rows, {.rule = {.f_margin = 0.001}}),
+        HasSubstr("\nexact: F 0.959 in 13.0 ms, the most exact. It leads: quick has 0.953"));
     EXPECT_THAT(verdict_table(rows, {.rule = {.budget_ms = 5}}),
                 HasSubstr("\nWithin 5.00 ms, quick: F 0.953 in 1.60 ms, the only method."));
     EXPECT_THAT(
