@@ -5,11 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "experiment/diff/cell_pairs.h"
 #include "experiment/run_data.h"
 #include "statistics/spread.h"
+#include "summary/paired_differences.h"
 
 namespace ink::experiment {
+
+/// The cells of two runs, paired: the same method on the same view.
+struct CellPairs {
+    std::vector<summary::RowPair> paired;    ///< in the order of the first run
+    std::vector<const harness::Row*> gone;   ///< of the first run alone
+    std::vector<const harness::Row*> added;  ///< of the second run alone
+};
 
 /// What changed of one method between two runs, over the cells that both have.
 struct MethodDiff {
