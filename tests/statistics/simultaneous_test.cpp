@@ -1,4 +1,4 @@
-#include "statistics/bootstrap.h"
+#include "statistics/simultaneous.h"
 
 #include <gtest/gtest.h>
 

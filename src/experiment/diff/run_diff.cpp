@@ -70,31 +70,6 @@ Values parameters_of(const std::string& params) {
     return {pairs.begin(), pairs.end()};
 }
 
-/// Pairs the rows of two runs by method, scene, view, size, threads and parameters.
-///
-/// What is left over is paired without the parameters, where each run has just one such cell left:
-/// its method was asked with another setting. Borrows the rows; empty runs give no pairs.
-CellPairs pair_cells(const std::vector<harness::Row>& a, const std::vector<harness::Row>& b) {
-    Rows left_a = pointers_to(a);
-    Rows left_b = pointers_to(b);
-    CellPairs pairs;
-    pairs.paired = take_pairs(left_a, left_b, true);
-    const std::vector<summary::RowPair> other_settings = take_pairs(left_a, left_b, false);
-    pairs.paired.insert(pairs.paired.end(), other_settings.begin(), other_settings.end());
-    pairs.gone = std::move(left_a);
-    pairs.added = std::move(left_b);
-    return pairs;
-}
-
-/// The parameters that differ between two texts "key=value;key=value": "threshold 20 -> 25", joined
-/// by ", ", in alphabetical order; "" if none does. A side that lacks the key has "-".
-std::string changed_parameters(const std::string& a, const std::string& b) {
-    std::vector<std::string> texts;
-    for (const AskedChange& change : changes_of(parameters_of(a), parameters_of(b)))
-        texts.push_back(fmt::format("{} {} -> {}", change.key, change.a, change.b));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
 using harness::Row;
 
 /// What must be equal for two times to compare, and how it is called. The program's own version may
@@ -189,6 +164,25 @@ bool comes_before(const MethodDiff& a, const MethodDiff& b) {
 }
 
 }  // namespace
+
+CellPairs pair_cells(const std::vector<harness::Row>& a, const std::vector<harness::Row>& b) {
+    Rows left_a = pointers_to(a);
+    Rows left_b = pointers_to(b);
+    CellPairs pairs;
+    pairs.paired = take_pairs(left_a, left_b, true);
+    const std::vector<summary::RowPair> other_settings = take_pairs(left_a, left_b, false);
+    pairs.paired.insert(pairs.paired.end(), other_settings.begin(), other_settings.end());
+    pairs.gone = std::move(left_a);
+    pairs.added = std::move(left_b);
+    return pairs;
+}
+
+std::string changed_parameters(const std::string& a, const std::string& b) {
+    std::vector<std::string> texts;
+    for (const AskedChange& change : changes_of(parameters_of(a), parameters_of(b)))
+        texts.push_back(fmt::format("{} {} -> {}", change.key, change.a, change.b));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
 
 bool MethodDiff::is_worse() const {
     if (lost > 0) return true;

@@ -18,6 +18,17 @@ struct CellPairs {
     std::vector<const harness::Row*> added;  ///< of the second run alone
 };
 
+/// Pairs the rows of two runs by method, scene, view, size, threads and parameters.
+///
+/// What is left over is paired without the parameters, where each run has just one such cell left:
+/// its method was asked with another setting. Borrows the rows; empty runs give no pairs.
+[[nodiscard]] CellPairs pair_cells(const std::vector<harness::Row>& a,
+                                   const std::vector<harness::Row>& b);
+
+/// The parameters that differ between two texts "key=value;key=value": "threshold 20 -> 25", joined
+/// by ", ", in alphabetical order; "" if none does. A side that lacks the key has "-".
+[[nodiscard]] std::string changed_parameters(const std::string& a, const std::string& b);
+
 /// What changed of one method between two runs, over the cells that both have.
 struct MethodDiff {
     std::string method;
