@@ -130,7 +130,7 @@ FilesScore score_outline(Named<harness::OutlineImage> prediction,
     scored.score = score::score(scored.responses, prepared, scored.options);
     const auto of_prediction = doubts_of_prediction(prediction.name, scored, prepared);
     scored.doubts.insert(scored.doubts.begin(), of_prediction.begin(), of_prediction.end());
-    if (scored.score.n_truth == 0) scored.doubts.insert(scored.doubts.begin(), kNoTruth);
+    if (scored.score.n_truth == 0) scored.doubts.emplace(scored.doubts.begin(), kNoTruth);
     return scored;
 }
 

@@ -115,7 +115,7 @@ Picture read_picture(const fs::path& path) {
     if (!channels.layer.empty())
         picture.notes.push_back(fmt::format("layer {} of it", channels.layer));
     if (is_light) {
-        picture.notes.push_back("float values as a screen shows them (sRGB)");
+        picture.notes.emplace_back("float values as a screen shows them (sRGB)");
     } else if (type != OIIO::TypeDesc::UINT8) {
         picture.notes.push_back(fmt::format("{} bits rounded to 8", 8 * type.size()));
     }

@@ -84,7 +84,7 @@ TEST(Score, AModelIsTracedInTheSizeOfTheImage) {
     EXPECT_EQ(from_exr.at("f"), nlohmann::json::parse(expected).at("f"));
     EXPECT_LT(std::filesystem::file_size(desk.work() / "truth.png"), 4000U);
 
-    const auto refusal = [&](const std::vector<std::string>& words) {
+    const auto refusal = [&](const Words& words) {
         const Outcome outcome = desk.run(words);
         EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
         return outcome.err;
@@ -180,12 +180,9 @@ TEST(Score, OfTenImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
     const Desk desk;
     if (desk.run_other("/usr/bin/python3", {"-c", "import numpy, PIL"}).exit_code != 0)
         GTEST_SKIP() << "needs /usr/bin/python3 with numpy and Pillow";
-    const std::vector<std::string> view = {"blocks", "--size", "320x180"};
-    const auto run = [&](const char* command, const std::vector<std::string>& more) {
-        std::vector<std::string> words = {command};
-        words.insert(words.end(), view.begin(), view.end());
-        words.insert(words.end(), more.begin(), more.end());
-        ASSERT_EQ(desk.run(words).exit_code, 0) << command;
+    const Words view = "blocks --size 320x180";
+    const auto run = [&](const char* command, const Words& more) {
+        ASSERT_EQ(desk.run(command + view + more).exit_code, 0) << command;
     };
     run("truth", {"-o", "truth.png", "--intersections", "above_crease"});
     run("draw", {"--method", "surface8", "-o", "drawn.png"});
