@@ -93,9 +93,11 @@ TEST(EmptyView, IsNothingToSearchOrToBound) {
     const Desk desk;
     desk.write("thing.obj", kCubeObj);
     for (const std::string words :
-         {"tune mote4 thing.obj --evaluations 4 --out t", "bound thing.obj --out b"})
-        EXPECT_THAT(refusal(desk, words + " --size 160x90 --eye 0,0,5 --target 0,0,10"),
-                    HasSubstr("thing eye0: empty: no line of the scene"));
+         {"tune mote4 thing.obj --evaluations 4 --out t", "bound thing.obj --out b"}) {
+        const Outcome outcome = desk.run(words + " --size 160x90 --eye 0,0,5 --target 0,0,10");
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("thing eye0: empty: no line of the scene"));
+    }
 }
 
 TEST(CrowdedView, IsSaidAndIsNoFailure) {

@@ -1,5 +1,5 @@
-#include "methods/method_configs.h"
 #include "studies/axis_rows.h"
+#include "methods/method_configs.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-#include "methods/method_configs.h"
 #include "studies/roll_axis.h"
+#include "methods/method_configs.h"
 
 #include <gtest/gtest.h>
 
