@@ -65,7 +65,7 @@ struct RunHead {
     std::string command;   ///< as the user typed it, less what says where results go; may be ""
     std::string identity;  ///< hash of all that rows depend on, the build included
     std::string build = build_text();
-    std::string asked;  ///< a TOML document: every option, method and parameter
+    std::string asked;                ///< a TOML document: every option, method and parameter
     summary::AnswerRule answer = {};  ///< as `asked` has it
     bool times = true;
     bool one_place = true;  ///< one size and one number of threads: summaries mean something

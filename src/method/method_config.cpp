@@ -14,7 +14,9 @@ Setting parse_setting(const std::string& text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
         throw core::Error(
-            "--set", fmt::format("'{}' is no setting", text), "key=value or method.key=value; a scene stands before --set, or behind --scenes");
+            "--set",
+            fmt::format("'{}' is no setting", text),
+            "key=value or method.key=value; a scene stands before --set, or behind --scenes");
     }
     Setting setting{"", text.substr(0, equals), text.substr(equals + 1), text};
     const auto dot = setting.key.find('.');

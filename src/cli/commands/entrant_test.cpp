@@ -56,8 +56,7 @@ void run_entrant_test(const EntrantTestArgs& args) {
     const entrants::Entrant entrant = entrants::parse_entrant("entrant=" + args.program);
     if (!entrant.is_program)
         throw core::Error("entrant-test", args.program + " is a folder", "a program");
-    const method::MethodConfig config =
-        entrants::entrant_config(entrant, {.wall_s = args.seconds});
+    const method::MethodConfig config = entrants::entrant_config(entrant, {.wall_s = args.seconds});
     harness::ViewRequest request;
     const experiment::ImageSize size = experiment::parse_image_size(args.size, "--size");
     request.width_px = size.width_px;
