@@ -71,16 +71,18 @@ function drawTimeChart(chart, view, lines, {isBytes, isError}) {
     const area = plotArea(chart, {left: 52, right: 24, top: 28, bottom: 46});
     const {plot, width, height} = area;
     const xOf = line => (isBytes ? line.bytes : line.ms);
-    const yOf = line => (isError ? 1 - line.value : line.value);
-    const shown = lines.filter(line => isNumber(xOf(line)) && isNumber(yOf(line)));
+    const errorOf = line => (isError ? 1 - line.value : line.value);
+    const shown = lines.filter(line => isNumber(xOf(line)) && isNumber(errorOf(line)));
     const isXLog = !isBytes && state.get('time.xlog');
     const isYLog = isError && state.get('time.ylog');
-    const smallest = isYLog ? Math.max(1e-4, (d3.min(shown.filter(l => yOf(l) > 0), yOf) || 1e-3) / 1.5) : null;
+    // No error at all stands where the axis begins: a logarithmic one has no 0.
+    const smallest = isYLog ? Math.max(1e-4, (d3.min(shown.filter(l => errorOf(l) > 0), errorOf) || 1e-3) / 1.5) : null;
+    const yOf = line => (isYLog ? Math.max(errorOf(line), smallest) : errorOf(line));
     const bars = shown.filter(line => line.range).flatMap(line => [line.range.low, line.range.high].map(v => (isError ? 1 - v : v)));
     const times = isBytes ? [] : shown.filter(line => line.msRange).flatMap(line => [line.msRange.low, line.msRange.high]);
     const x = makeScale([...shown.map(xOf), ...times], [0, width], {isLog: isXLog, includesZero: !isXLog});
     const y = makeScale([...shown.map(yOf), ...bars], [height, 0], {isLog: isYLog, least: smallest});
-    const py = line => y(isYLog ? Math.max(yOf(line), smallest) : yOf(line));
+    const py = line => y(yOf(line));
     const px = line => x(xOf(line));
     drawAxis(plot, x, {side: 'bottom', title: isBytes ? 'bytes a pixel, all buffers' : 'time of a frame, ms', isLog: isXLog, length: width, across: height});
     drawAxis(plot, y, {side: 'left', title: isError ? MEASURES[view.measure].error : MEASURES[view.measure].title, isLog: isYLog, length: height, across: width});
