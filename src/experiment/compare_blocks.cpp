@@ -1,9 +1,7 @@
 #include "experiment/compare_blocks.h"
 
 #include <algorithm>
-#include <iterator>
-#include <memory>
-#include <utility>
+#include <span>
 
 #include "experiment/stage_times.h"
 #include "harness/sweep.h"
@@ -26,38 +24,49 @@ void add_side_tables(std::int64_t cell,
     result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
 }
 
-/// What the methods drew of a view, and have inside if that is kept.
-struct DrawnMethods {
-    std::vector<harness::Evaluation> evaluations = {};
-    std::vector<harness::MethodLayers> layers = {};
-};
+/// The layers of what was drawn, where they are kept.
+using Layers = std::vector<harness::MethodLayers>;
 
-/// What all methods draw of a view, as many at a time as fit into memory.
-DrawnMethods draw_methods(ViewBench& bench, const BlockPlace& at, StageTimes& stages) {
-    const harness::MeasureOptions measure = bench.cell_options(at.threads).measure;
-    DrawnMethods drawn;
-    for (std::size_t first = 0; first < bench.configs().size();
-         first += bench.most_at_once(at.scene)) {
-        auto& methods = [&]() -> auto& {
-            const StageTimer timer(stages, WorkStage::prepare);
-            return bench.methods(at.scene, first);
-        }
-        ();
-        const StageTimer timer(stages, WorkStage::draw);
-        auto some = harness::method_evaluations(methods, *at.view, measure);
-        for (std::size_t i = 0; at.keeps_images && i < methods.size(); ++i) {
-            if (!some[i].row.is_ok()) continue;
-            drawn.layers.push_back(
-                harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
-        }
-        std::move(some.begin(), some.end(), std::back_inserter(drawn.evaluations));
+/// What all of `configs` draw of a view, as many at a time as fit into memory.
+std::vector<harness::Evaluation> draw(ViewBench& bench,
+                                      const BlockPlace& at,
+                                      std::span<const method::MethodConfig> configs,
+                                      const harness::MeasureOptions& measure,
+                                      StageTimes& stages,
+                                      Layers* layers = nullptr) {
+    harness::ViewDrawings drawings{
+        {*at.view}, configs.size(), bench.most_at_once(at.scene), {measure.skips}};
+    drawings.ready = [&](std::size_t first, std::size_t end) {
+        const StageTimer timer(stages, WorkStage::prepare, WorkStage::draw);
+        // The methods themselves come again with the next view.
+        return configs.data() == bench.configs().data()
+                   ? bench.methods(at.scene, first)
+                   : bench.prepared(configs.subspan(first, end - first), at.scene);
+    };
+    if (layers != nullptr) {
+        drawings.see = [&](std::size_t, const harness::Turn& turn, const auto& drawn) {
+            if (!drawn.row.is_ok()) return;
+            layers->push_back(
+                harness::buffer_layers(*turn.method, {*at.view, measure.threads, measure.skips}));
+        };
     }
-    return drawn;
+    const StageTimer timer(stages, WorkStage::draw);
+    return harness::draw_view(drawings, measure);
 }
 
 const harness::TracedView& trace(ViewBench& bench, const BlockPlace& at, StageTimes& stages) {
     const StageTimer timer(stages, WorkStage::truth);
     return bench.traced(at.scene, *at.view);
+}
+
+void finish(const scene::Scene& scene,
+            const BlockPlace& at,
+            const harness::TracedView& traced,
+            const harness::CellOptions& options,
+            std::vector<harness::Evaluation>& evaluations,
+            StageTimes& stages) {
+    const StageTimer timer(stages, WorkStage::score);
+    harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
 }
 
 /// Why the scored evaluations are wrong where they are, and what codes had to miss.
@@ -87,18 +96,20 @@ void explain(ViewBench& bench,
 
 BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];
-    const harness::CellOptions options = bench.cell_options(at.threads);
     const bool is_full = bench.experiment().full_scores;
+    harness::CellOptions options = bench.cell_options(at.threads);
+    options.scores = is_full ? harness::Scores::full : harness::Scores::brief;
     BlockResult result;
     const harness::TracedView& traced = trace(bench, at, result.stages);
     const bool keeps_images = at.keeps_images && traced.has_truth();
-    DrawnMethods drawn = draw_methods(bench, at, result.stages);
-    std::vector<harness::Evaluation>& evaluations = drawn.evaluations;
-    {
-        const StageTimer timer(result.stages, WorkStage::score);
-        const auto finish = is_full ? harness::finish_evaluations : harness::finish_briefly;
-        finish(scene, *at.view, traced, options, evaluations);
-    }
+    Layers layers;
+    std::vector<harness::Evaluation> evaluations = draw(bench,
+                                                        at,
+                                                        bench.configs(),
+                                                        options.measure,
+                                                        result.stages,
+                                                        keeps_images ? &layers : nullptr);
+    finish(scene, at, traced, options, evaluations, result.stages);
     if (is_full && traced.has_truth()) explain(bench, at, traced.truth, evaluations, result);
     harness::check_baselines(evaluations, result.faults);
     std::int64_t cell = at.first_cell;
@@ -112,7 +123,7 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     }
     if (keeps_images) {
         const StageTimer timer(result.stages, WorkStage::images);
-        result.files = harness::image_files(traced.truth, scene, evaluations, drawn.layers);
+        result.files = harness::image_files(traced.truth, scene, evaluations, layers);
     }
     return result;
 }
@@ -128,20 +139,12 @@ BlockResult run_settings(ViewBench& bench,
     options.measure.max_repetitions =
         std::min(brief.max_repetitions, options.measure.max_repetitions);
     options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
+    options.scores = harness::Scores::settings;
     BlockResult result;
-    auto methods = [&] {
-        const StageTimer timer(result.stages, WorkStage::prepare);
-        return bench.prepared(part.settings, at.scene);
-    }();
-    std::vector<harness::Evaluation> evaluations = [&] {
-        const StageTimer timer(result.stages, WorkStage::draw);
-        return harness::method_evaluations(methods, *at.view, options.measure);
-    }();
+    std::vector<harness::Evaluation> evaluations =
+        draw(bench, at, part.settings, options.measure, result.stages);
     const harness::TracedView& traced = trace(bench, at, result.stages);
-    {
-        const StageTimer timer(result.stages, WorkStage::score);
-        harness::finish_settings(bench.scenes()[at.scene], *at.view, traced, options, evaluations);
-    }
+    finish(bench.scenes()[at.scene], at, traced, options, evaluations, result.stages);
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
     for (std::size_t i = 0; i < part.settings.size(); ++i) {
         if (!bench.experiment().times) clear_times(evaluations[i].row);

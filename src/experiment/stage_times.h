@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace ink::experiment {
@@ -36,13 +37,16 @@ class StageTimes {
 };
 
 /// Adds to a stage the seconds that it lives. What is timed waits for its turn meanwhile
-/// (core::run_alone): that is part of its stage.
+/// (core::run_alone): that is part of its stage. They are taken from the stage `within` which it
+/// lives, if there is one.
 class StageTimer {
   public:
-    StageTimer(StageTimes& times, WorkStage stage) : times_(times), stage_(stage) {}
+    StageTimer(StageTimes& times, WorkStage stage, std::optional<WorkStage> within = {})
+        : times_(times), stage_(stage), within_(within) {}
     ~StageTimer() {
         const std::chrono::duration<double> lived = std::chrono::steady_clock::now() - begin_;
         times_.add(stage_, lived.count());
+        if (within_) times_.add(*within_, -lived.count());
     }
     StageTimer(const StageTimer&) = delete;
     StageTimer& operator=(const StageTimer&) = delete;
@@ -50,6 +54,7 @@ class StageTimer {
   private:
     StageTimes& times_;
     WorkStage stage_;
+    std::optional<WorkStage> within_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

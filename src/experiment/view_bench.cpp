@@ -83,29 +83,23 @@ std::size_t ViewBench::most_at_once(std::size_t scene) const {
     return harness::most_at_once(scenes_[scene], triangles_at_once_);
 }
 
-std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene,
-                                                                          std::size_t first) {
+std::shared_ptr<harness::PreparedMethods> ViewBench::methods(std::size_t scene, std::size_t first) {
     Desk& desk = desk_of(scene);
-    if (!desk.methods.empty() && first == desk.first_method) return desk.methods;
-    desk.methods.clear();
-    const std::size_t end = first + std::min(configs_.size() - first, most_at_once(scene));
+    if (desk.methods && first == desk.first_method) return desk.methods;
+    desk.methods = {};
+    const std::size_t count = std::min(configs_.size() - first, most_at_once(scene));
     const auto prepare = [&] {
-        desk.methods = prepared({configs_.begin() + static_cast<std::ptrdiff_t>(first),
-                                 configs_.begin() + static_cast<std::ptrdiff_t>(end)},
-                                scene);
+        desk.methods = prepared(std::span(configs_).subspan(first, count), scene);
     };
     experiment_.times ? core::run_alone(prepare) : prepare();
     desk.first_method = first;
     return desk.methods;
 }
 
-std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
-    const std::vector<method::MethodConfig>& configs, std::size_t scene) {
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (const method::MethodConfig& config : configs)
-        methods.push_back(
-            std::make_unique<harness::PreparedMethod>(config, *desk_of(scene).prepared));
-    return methods;
+std::shared_ptr<harness::PreparedMethods> ViewBench::prepared(
+    std::span<const method::MethodConfig> configs, std::size_t scene) {
+    return std::make_shared<harness::PreparedMethods>(
+        harness::prepare_methods(configs, *desk_of(scene).prepared));
 }
 
 ViewBench::Desk& ViewBench::desk_of(std::size_t scene) {

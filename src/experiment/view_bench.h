@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -42,11 +43,10 @@ class ViewBench {
     [[nodiscard]] std::size_t most_at_once(std::size_t scene) const;
     /// The methods from the `first` on, most_at_once of them, at their own settings, ready for the
     /// scene. Those last asked for are at hand.
-    std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene,
-                                                                   std::size_t first);
+    std::shared_ptr<harness::PreparedMethods> methods(std::size_t scene, std::size_t first);
     /// Some methods made ready for the scene; they are not kept.
-    [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
-        const std::vector<method::MethodConfig>& configs, std::size_t scene);
+    [[nodiscard]] std::shared_ptr<harness::PreparedMethods> prepared(
+        std::span<const method::MethodConfig> configs, std::size_t scene);
 
     /// Lets go what is kept of a scene.
     void release(std::size_t scene) { desks_[scene] = {}; }
@@ -57,7 +57,7 @@ class ViewBench {
         std::unique_ptr<truth::SceneModel> model = {};
         std::unique_ptr<harness::MissPredictor> predictor = {};
         std::unique_ptr<scene::PreparedScene> prepared = {};
-        std::vector<std::unique_ptr<harness::PreparedMethod>> methods = {};
+        std::shared_ptr<harness::PreparedMethods> methods = {};
         std::size_t first_method = 0;
         const scene::View* traced_view = nullptr;
         harness::TracedView traced = {};

@@ -128,6 +128,14 @@ std::size_t most_at_once(const scene::Scene& scene, std::size_t triangles_at_onc
     return std::max<std::size_t>(1, triangles_at_once / triangles);
 }
 
+PreparedMethods prepare_methods(std::span<const method::MethodConfig> configs,
+                                const scene::PreparedScene& scene) {
+    PreparedMethods methods;
+    for (const method::MethodConfig& config : configs)
+        methods.push_back(std::make_unique<PreparedMethod>(config, scene));
+    return methods;
+}
+
 PreparedMethod::PreparedMethod(const method::MethodConfig& config,
                                const scene::PreparedScene& scene)
     : config_(config) {

@@ -107,6 +107,12 @@ class PreparedMethod {
     std::int64_t pose_ns_ = 0;
 };
 
+using PreparedMethods = std::vector<std::unique_ptr<PreparedMethod>>;
+
+/// All made ready for one scene.
+[[nodiscard]] PreparedMethods prepare_methods(std::span<const method::MethodConfig> configs,
+                                              const scene::PreparedScene& scene);
+
 /// Triangles times methods that are ready together: a method prepares 600 bytes a triangle in the
 /// mean, and twice 1 GB beside the truths of large scenes keep a comparison of all methods below 4
 /// on two cores.
@@ -143,15 +149,14 @@ struct Shot {
                                                    std::vector<edge::EdgeImage>& images);
 
 /// A turn for each method, allowed what the options allow.
-[[nodiscard]] std::vector<Turn> turns_of(
-    const std::vector<std::unique_ptr<PreparedMethod>>& methods, const MeasureOptions& options);
+[[nodiscard]] std::vector<Turn> turns_of(const PreparedMethods& methods,
+                                         const MeasureOptions& options);
 
 /// The same with each method on `view`.
-[[nodiscard]] std::vector<DrawTimes> draw_in_turns(
-    std::vector<std::unique_ptr<PreparedMethod>>& methods,
-    const scene::View& view,
-    const MeasureOptions& options,
-    std::vector<edge::EdgeImage>& images);
+[[nodiscard]] std::vector<DrawTimes> draw_in_turns(const PreparedMethods& methods,
+                                                   const scene::View& view,
+                                                   const MeasureOptions& options,
+                                                   std::vector<edge::EdgeImage>& images);
 
 /// "key=value;key=value" in the order of names.
 [[nodiscard]] std::string join_params(const core::ParamValues& values);

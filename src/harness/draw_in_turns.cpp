@@ -179,15 +179,14 @@ std::vector<DrawTimes> draw_in_turns(std::span<const Turn> turns,
     return round.take_times();
 }
 
-std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>>& methods,
+std::vector<DrawTimes> draw_in_turns(const PreparedMethods& methods,
                                      const scene::View& view,
                                      const MeasureOptions& options,
                                      std::vector<edge::EdgeImage>& images) {
     return draw_in_turns(turns_of(methods, options), {view}, options, images);
 }
 
-std::vector<Turn> turns_of(const std::vector<std::unique_ptr<PreparedMethod>>& methods,
-                           const MeasureOptions& options) {
+std::vector<Turn> turns_of(const PreparedMethods& methods, const MeasureOptions& options) {
     std::vector<Turn> turns;
     for (const auto& method : methods)
         turns.push_back({method.get(), options.skips});

@@ -62,7 +62,7 @@ std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
     return evaluations;
 }
 
-std::vector<Evaluation> method_evaluations(std::vector<std::unique_ptr<PreparedMethod>>& methods,
+std::vector<Evaluation> method_evaluations(const PreparedMethods& methods,
                                            const scene::View& view,
                                            const MeasureOptions& measure) {
     return method_evaluations(turns_of(methods, measure), {view}, measure);

@@ -37,10 +37,9 @@ inline constexpr int kBaselines = 4;
                                                          const Shot& shot,
                                                          const MeasureOptions& measure);
 /// The same with each method on `view`.
-[[nodiscard]] std::vector<Evaluation> method_evaluations(
-    std::vector<std::unique_ptr<PreparedMethod>>& methods,
-    const scene::View& view,
-    const MeasureOptions& measure);
+[[nodiscard]] std::vector<Evaluation> method_evaluations(const PreparedMethods& methods,
+                                                         const scene::View& view,
+                                                         const MeasureOptions& measure);
 
 /// What the cross-check says of the truth stands in every row of the view; a truth that it
 /// contradicts scores nobody.

@@ -59,6 +59,27 @@ std::vector<std::size_t> first_equals(const std::vector<Evaluation>& evaluations
     return firsts;
 }
 
+/// Scores at 2 px alone; equal images at equal thresholds once.
+void score_briefly(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {
+    fill_image_hashes(evaluations);
+    const ViewLists lists = list_view(truth);
+    const std::vector<std::size_t> firsts = first_equals(evaluations);
+    // Scores are not timed, so they may use every core.
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        if (firsts[i] != i || !evaluations[i].row.is_ok()) return;
+        const int threshold = evaluations[i].threshold;
+        fill_score_2px(
+            score::make_strokes(evaluations[i].image, threshold, score_options(threshold)),
+            truth,
+            lists,
+            evaluations[i].row);
+    });
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        if (firsts[i] != i) copy_score_2px(evaluations[firsts[i]].row, evaluations[i].row);
+        fill_truth_facts(truth, evaluations[i].row);
+    }
+}
+
 }  // namespace
 
 TracedView trace_with_facts(truth::SceneModel& model,
@@ -96,59 +117,46 @@ void fill_place(const scene::Scene& scene,
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(scene));
 }
 
+std::vector<Evaluation> draw_view(const ViewDrawings& drawings, const MeasureOptions& measure) {
+    const std::size_t turns_each = drawings.skips.size();
+    std::vector<Evaluation> drawn(drawings.methods * turns_each);
+    const std::size_t parts = (drawings.methods + drawings.at_once - 1) / drawings.at_once;
+    core::parallel_for(parts, drawings.lanes, [&](std::size_t part) {
+        const std::size_t first = part * drawings.at_once;
+        const std::shared_ptr<PreparedMethods> methods =
+            drawings.ready(first, std::min(drawings.methods, first + drawings.at_once));
+        std::vector<Turn> turns;
+        for (const auto& method : *methods) {
+            for (const raster::SkipSet& skips : drawings.skips)
+                turns.push_back({method.get(), skips});
+        }
+        std::vector<Evaluation> some = method_evaluations(turns, drawings.shot, measure);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            const std::size_t n = first * turns_each + i;
+            if (drawings.see) drawings.see(n, turns[i], some[i]);
+            drawn[n] = std::move(some[i]);
+        }
+    });
+    return drawn;
+}
+
 void finish_evaluations(const scene::Scene& scene,
                         const scene::View& view,
                         const TracedView& traced,
                         const CellOptions& options,
                         std::vector<Evaluation>& evaluations) {
-    add_baselines(traced, evaluations);
+    if (options.scores == Scores::none) {
+        for (Evaluation& evaluation : evaluations)
+            fill_place(scene, view, options, evaluation.row);
+        return fill_image_hashes(evaluations);
+    }
+    if (options.scores != Scores::settings) add_baselines(traced, evaluations);
     prepare_rows(scene, view, traced, options, evaluations);
     if (!traced.has_truth()) return;
-    score_evaluations(traced.truth, evaluations);
-    note_crowded(traced.truth, evaluations);
-}
-
-void finish_briefly(const scene::Scene& scene,
-                    const scene::View& view,
-                    const TracedView& traced,
-                    const CellOptions& options,
-                    std::vector<Evaluation>& evaluations) {
-    add_baselines(traced, evaluations);
-    finish_settings(scene, view, traced, options, evaluations);
-}
-
-void finish_drawn(const scene::Scene& scene,
-                  const scene::View& view,
-                  const CellOptions& options,
-                  std::vector<Evaluation>& evaluations) {
-    for (Evaluation& evaluation : evaluations)
-        fill_place(scene, view, options, evaluation.row);
-    fill_image_hashes(evaluations);
-}
-
-void finish_settings(const scene::Scene& scene,
-                     const scene::View& view,
-                     const TracedView& traced,
-                     const CellOptions& options,
-                     std::vector<Evaluation>& evaluations) {
-    prepare_rows(scene, view, traced, options, evaluations);
-    if (!traced.has_truth()) return;
-    fill_image_hashes(evaluations);
-    const ViewLists lists = list_view(traced.truth);
-    const std::vector<std::size_t> firsts = first_equals(evaluations);
-    // Scores are not timed, so they may use every core.
-    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
-        if (firsts[i] != i || !evaluations[i].row.is_ok()) return;
-        const int threshold = evaluations[i].threshold;
-        fill_score_2px(
-            score::make_strokes(evaluations[i].image, threshold, score_options(threshold)),
-            traced.truth,
-            lists,
-            evaluations[i].row);
-    });
-    for (std::size_t i = 0; i < evaluations.size(); ++i) {
-        if (firsts[i] != i) copy_score_2px(evaluations[firsts[i]].row, evaluations[i].row);
-        fill_truth_facts(traced.truth, evaluations[i].row);
+    if (options.scores == Scores::full) {
+        score_evaluations(traced.truth, evaluations);
+    } else {
+        score_briefly(traced.truth, evaluations);
     }
     if (options.scores_crowded && emptiness(traced.truth).empty()) return;
     note_crowded(traced.truth, evaluations);

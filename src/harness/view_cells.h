@@ -16,6 +16,14 @@
 
 namespace ink::harness {
 
+/// What is scored of a drawn cell.
+enum class Scores {
+    full,      ///< everything, with baselines
+    brief,     ///< at 2 px and its threshold only: no curve, tolerance sweep, 1 px, causes or lines
+    settings,  ///< the same without baselines
+    none,      ///< nothing: rows have their place and the hash of their image
+};
+
 /// What all cells of a run have in common.
 struct CellOptions {
     MeasureOptions measure = {};
@@ -24,7 +32,26 @@ struct CellOptions {
     /// Views too crowded to score (harness/unscored_view.h) have a score, as long as there is a
     /// true pixel that counts. In brief scores only.
     bool scores_crowded = false;
+    Scores scores = Scores::full;
 };
+
+/// What is drawn of a view: every method at every set of skips, as many methods in turns as are
+/// ready together.
+struct ViewDrawings {
+    Shot shot;
+    std::size_t methods = 0;
+    std::size_t at_once = 1;             ///< methods that are ready together
+    std::vector<raster::SkipSet> skips;  ///< a method's turns
+    int lanes = 1;                       ///< how many such parts are drawn at a time
+    /// The methods from the `first` on to `end`, ready.
+    std::function<std::shared_ptr<PreparedMethods>(std::size_t first, std::size_t end)> ready;
+    /// Sees the n-th of what is drawn while its method is there.
+    std::function<void(std::size_t n, const Turn& turn, const Evaluation& drawn)> see = {};
+};
+
+/// Draws and times all: a method's sets of skips one after the other, unscored.
+[[nodiscard]] std::vector<Evaluation> draw_view(const ViewDrawings& drawings,
+                                                const MeasureOptions& measure);
 
 /// A view with all that its rows say whatever the method.
 struct TracedView {
@@ -49,33 +76,13 @@ void fill_place(const scene::Scene& scene,
                 const CellOptions& options,
                 Row& row);
 
-/// Scores drawn evaluations of a view and adds its baselines: rows come out complete. Without a
-/// truth every row, the baselines' too, says why.
+/// Scores drawn evaluations of a view as `options.scores` says, and adds its baselines: rows come
+/// out complete. Without a truth every row, the baselines' too, says why. Equal images at equal
+/// thresholds are scored once where scores are brief.
 void finish_evaluations(const scene::Scene& scene,
                         const scene::View& view,
                         const TracedView& traced,
                         const CellOptions& options,
                         std::vector<Evaluation>& evaluations);
-
-/// The same, scored at 2 px and its threshold only: no curve, tolerance sweep, 1 px, causes or line
-/// scores.
-void finish_briefly(const scene::Scene& scene,
-                    const scene::View& view,
-                    const TracedView& traced,
-                    const CellOptions& options,
-                    std::vector<Evaluation>& evaluations);
-
-/// The same of images that are not scored: their place and their hash.
-void finish_drawn(const scene::Scene& scene,
-                  const scene::View& view,
-                  const CellOptions& options,
-                  std::vector<Evaluation>& evaluations);
-
-/// The same as finish_briefly without baselines. Equal images at equal thresholds are scored once.
-void finish_settings(const scene::Scene& scene,
-                     const scene::View& view,
-                     const TracedView& traced,
-                     const CellOptions& options,
-                     std::vector<Evaluation>& evaluations);
 
 }  // namespace ink::harness

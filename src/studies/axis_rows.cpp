@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -16,30 +15,23 @@
 namespace ink::studies {
 namespace {
 
-/// A value at which each method draws a case.
-struct Arm {
-    double value = 0;
-    raster::SkipSet skips;
-};
-
-std::vector<Arm> arms_of(const Axis& axis, const Case& one, const raster::SkipSet& skips) {
-    if (!axis.allowed) return {{one.value, skips}};
-    std::vector<Arm> arms;
+/// What methods may skip in their turns of a case: at each value, where the axis is just that.
+std::vector<raster::SkipSet> turns_of(const Axis& axis, const raster::SkipSet& own) {
+    if (!axis.allowed) return {own};
+    std::vector<raster::SkipSet> turns;
     for (const double value : axis.values)
-        arms.push_back({value, axis.allowed(value)});
-    return arms;
+        turns.push_back(axis.allowed(value));
+    return turns;
 }
 
 /// A case on its way to rows.
 class CaseWork {
   public:
     CaseWork(const Axis& axis, const Case& one, const harness::CellOptions& options)
-        : axis_(axis),
-          one_(one),
-          options_(options),
-          arms_(arms_of(axis, one, options.measure.skips)) {
+        : axis_(axis), one_(one), options_(options), turns_(turns_of(axis, options.measure.skips)) {
         options_.trace.crosscheck = options.trace.crosscheck && axis.is_crosschecked;
         options_.scores_crowded = axis.scores_crowded;
+        options_.scores = axis.is_scored ? harness::Scores::brief : harness::Scores::none;
         harness::MeasureOptions& measure = options_.measure;
         measure.threads = one.threads.value_or(measure.threads);
         measure.max_repetitions = axis.repetitions;
@@ -58,25 +50,36 @@ class CaseWork {
     }
 
     void draw(const std::vector<method::MethodConfig>& configs) {
-        drawn_.resize(configs.size() * arms_.size());
-        overflow_.resize(drawn_.size(), 0);
-        const std::size_t at_once =
-            axis_.repetitions > 0 ? harness::most_at_once(drawn_scene()) : 1;
-        const std::size_t parts = (configs.size() + at_once - 1) / at_once;
         // Where nothing is timed, all may draw at once.
-        const int threads = axis_.repetitions > 0 ? 1 : core::hardware_threads();
-        core::parallel_for(parts, threads, [&](std::size_t part) {
-            const std::size_t first = part * at_once;
-            draw_some(configs, first, std::min(configs.size(), first + at_once));
-        });
+        const bool is_timed = axis_.repetitions > 0;
+        harness::ViewDrawings drawings{{view(), &drawn_scene(), one_.poses},
+                                       configs.size(),
+                                       is_timed ? harness::most_at_once(drawn_scene()) : 1,
+                                       turns_,
+                                       is_timed ? 1 : core::hardware_threads()};
+        drawings.ready = [&](std::size_t first, std::size_t end) {
+            std::vector<method::MethodConfig> under;
+            for (std::size_t m = first; m < end; ++m)
+                under.push_back(under_case(configs[m], one_));
+            return std::make_shared<harness::PreparedMethods>(
+                harness::prepare_methods(under, drawn_scene()));
+        };
+        overflow_.resize(configs.size() * turns_.size(), 0);
+        if (axis_.counts_faults) {
+            drawings.see = [&](std::size_t n, const harness::Turn& turn, const auto& drawn) {
+                if (!drawn.row.is_ok()) return;
+                overflow_[n] = count_overflow(turn.method->method(),
+                                              turn.method->config(),
+                                              drawn_scene(),
+                                              {view(), options_.measure.threads, turn.skips});
+            };
+        }
+        drawn_ = harness::draw_view(drawings, options_.measure);
     }
 
     void finish() {
-        if (axis_.is_scored) {
-            harness::finish_briefly(scene(), view(), traced_, options_, drawn_);
-        } else {
-            harness::finish_drawn(drawn_scene(), view(), options_, drawn_);
-        }
+        harness::finish_evaluations(
+            axis_.is_scored ? scene() : drawn_scene(), view(), traced_, options_, drawn_);
     }
 
     [[nodiscard]] std::vector<AxisRow> rows() {
@@ -90,9 +93,9 @@ class CaseWork {
         for (std::size_t i = 0; i < drawn_.size(); ++i) {
             harness::Row& row = drawn_[i].row;
             row.axis = axis_.name;
-            row.value = i < own ? arms_[i % arms_.size()].value : one_.value;
+            row.value = axis_.allowed && i < own ? axis_.values[i % turns_.size()] : one_.value;
             row.triangles = static_cast<std::int64_t>(scene::triangle_count(drawn_scene()));
-            if (arms_.size() > 1) row.view = fmt::format("{}={:g}", row.axis, *row.value);
+            if (turns_.size() > 1) row.view = fmt::format("{}={:g}", row.axis, *row.value);
             if (axis_.repetitions == 0) harness::clear_times(row);
             CaseFaults faults = given;
             faults.non_finite += count_non_finite(row);
@@ -112,36 +115,10 @@ class CaseWork {
     }
     [[nodiscard]] const scene::View& view() const { return one_.scene_views.views.front(); }
 
-    /// The configurations from `first` to `end`, in turns.
-    void draw_some(const std::vector<method::MethodConfig>& configs,
-                   std::size_t first,
-                   std::size_t end) {
-        std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-        std::vector<harness::Turn> turns;
-        for (std::size_t m = first; m < end; ++m) {
-            methods.push_back(std::make_unique<harness::PreparedMethod>(
-                under_case(configs[m], one_), drawn_scene()));
-            for (const Arm& arm : arms_)
-                turns.push_back({methods.back().get(), arm.skips});
-        }
-        auto some = harness::method_evaluations(
-            turns, {view(), &drawn_scene(), one_.poses}, options_.measure);
-        for (std::size_t i = 0; i < some.size(); ++i) {
-            const std::size_t at = first * arms_.size() + i;
-            if (axis_.counts_faults && some[i].row.is_ok()) {
-                overflow_[at] = count_overflow(turns[i].method->method(),
-                                               turns[i].method->config(),
-                                               drawn_scene(),
-                                               {view(), options_.measure.threads, turns[i].skips});
-            }
-            drawn_[at] = std::move(some[i]);
-        }
-    }
-
     const Axis& axis_;
     const Case& one_;
     harness::CellOptions options_;
-    std::vector<Arm> arms_;
+    std::vector<raster::SkipSet> turns_;
     harness::TracedView traced_;
     std::vector<harness::Evaluation> drawn_;  ///< the methods', then the baselines'
     std::vector<std::int64_t> overflow_;      ///< of the methods

@@ -153,7 +153,7 @@ class Run {
 
     Sequence& sequence_;
     harness::CellOptions options_;
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
+    harness::PreparedMethods methods_;
     std::vector<Record> records_;  ///< the methods', then those of the baselines
     std::optional<truth::SceneModel> model_;
 };

@@ -49,9 +49,8 @@ class Entrants : public testing::Test {
                             edge::EdgeImage& image,
                             double wall_s = 20) const {
         const harness::SceneViews cube = cube_view();
-        std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-        methods.push_back(std::make_unique<harness::PreparedMethod>(
-            entrant_config(parse_entrant("mine=" + path), {.wall_s = wall_s}), cube.scene));
+        const auto config = entrant_config(parse_entrant("mine=" + path), {.wall_s = wall_s});
+        const auto methods = harness::prepare_methods(std::span(&config, 1), cube.scene);
         std::vector<edge::EdgeImage> images;
         auto times = harness::draw_in_turns(methods, cube.views.front(), {}, images);
         image = images.front();

@@ -21,10 +21,8 @@ std::vector<harness::Evaluation> scored_evaluations(const std::string& name) {
     options.measure.max_repetitions = 1;
     options.seed = 18446744073709551615ULL;
     truth::SceneModel model(scene, options.trace.truth);
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (const method::MethodConfig& config :
-         methods::make_configs("mote4,decaudin,edge_list,auto", {}))
-        methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
+    const auto methods =
+        harness::prepare_methods(methods::make_configs("mote4,decaudin,edge_list,auto", {}), scene);
     std::vector<harness::Evaluation> evaluations =
         harness::method_evaluations(methods, view, options.measure);
     const harness::TracedView traced = harness::trace_with_facts(model, scene, view, options.trace);

@@ -5,8 +5,6 @@
 namespace ink::experiment {
 namespace {
 
-using Methods = std::vector<std::unique_ptr<harness::PreparedMethod>>;
-
 Experiment one_cube(std::vector<std::string> methods) {
     Experiment experiment;
     experiment.where = "test";
@@ -19,7 +17,7 @@ Experiment one_cube(std::vector<std::string> methods) {
     return experiment;
 }
 
-std::vector<edge::EdgeImage> images_of(ViewBench& bench, Methods methods) {
+std::vector<edge::EdgeImage> images_of(ViewBench& bench, const harness::PreparedMethods& methods) {
     std::vector<edge::EdgeImage> images;
     for (harness::Evaluation& evaluation : harness::method_evaluations(
              methods, bench.view(0, {160, 90}, 0), bench.cell_options(1).measure))
@@ -29,12 +27,12 @@ std::vector<edge::EdgeImage> images_of(ViewBench& bench, Methods methods) {
 
 TEST(ViewBench, MakesReadyAgainWhatWasReleased) {
     ViewBench bench(one_cube({"mote4", "mote16", "ids", "mote2"}), {});
-    const harness::PreparedMethod* first = bench.methods(0, 0).front().get();
-    EXPECT_EQ(bench.methods(0, 0).front().get(), first);
-    const auto expected = images_of(bench, bench.prepared(bench.configs(), 0));
+    const harness::PreparedMethod* first = bench.methods(0, 0)->front().get();
+    EXPECT_EQ(bench.methods(0, 0)->front().get(), first);
+    const auto expected = images_of(bench, *bench.prepared(bench.configs(), 0));
     bench.release(0);
-    EXPECT_EQ(images_of(bench, bench.prepared(bench.configs(), 0)), expected);
-    EXPECT_EQ(bench.methods(0, 0).size(), 4U);
+    EXPECT_EQ(images_of(bench, *bench.prepared(bench.configs(), 0)), expected);
+    EXPECT_EQ(bench.methods(0, 0)->size(), 4U);
 }
 
 }  // namespace

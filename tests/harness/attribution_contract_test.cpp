@@ -31,8 +31,7 @@ class SmallScene {
     /// Draws every view with a method, scores it, says why it is wrong, and hands that on.
     template <class Visit>
     void explain(const method::MethodConfig& config, Visit visit) {
-        std::vector<std::unique_ptr<PreparedMethod>> methods;
-        methods.push_back(std::make_unique<PreparedMethod>(config, scene_views_.scene));
+        const PreparedMethods methods = prepare_methods(std::span(&config, 1), scene_views_.scene);
         for (std::size_t i = 0; i < truths_.size(); ++i) {
             const scene::View& view = scene_views_.views[i];
             std::vector<edge::EdgeImage> images;

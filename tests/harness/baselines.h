@@ -6,14 +6,14 @@ namespace ink::harness {
 
 /// The baselines of a scene's first view, scored in full or as settings are.
 inline std::vector<Evaluation> baselines_of(const SceneViews& scene_views,
-                                            const CellOptions& options,
+                                            CellOptions options,
                                             bool is_full = true) {
     truth::SceneModel model(scene_views.scene, options.trace.truth);
     const scene::View& view = scene_views.views.front();
     const TracedView traced = trace_with_facts(model, scene_views.scene, view, options.trace);
     std::vector<Evaluation> evaluations;
-    (is_full ? finish_evaluations : finish_briefly)(
-        scene_views.scene, view, traced, options, evaluations);
+    options.scores = is_full ? Scores::full : Scores::brief;
+    finish_evaluations(scene_views.scene, view, traced, options, evaluations);
     return evaluations;
 }
 

@@ -120,7 +120,7 @@ void expect_bins(const ViewTruth& truth) {
 TEST_P(EveryScene, KeepsTheLawsOfTheScore) {
     const SceneViews scene_views = make_scene_views(load_scene(GetParam()), small_views());
     truth::SceneModel model(scene_views.scene, without_layers());
-    std::vector<std::unique_ptr<PreparedMethod>> methods;
+    PreparedMethods methods;
     for (const method::MethodInfo& info : methods::registry())
         methods.push_back(
             std::make_unique<PreparedMethod>(method::MethodConfig{&info, {}}, scene_views.scene));

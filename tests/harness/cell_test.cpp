@@ -47,7 +47,7 @@ method::MethodInfo info_of(const std::string& name, Puppet::Script& script) {
 struct Stage {
     scene::Scene scene = scene::scene_of(scene::unit_cube());
     scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
-    std::vector<std::unique_ptr<PreparedMethod>> methods;
+    PreparedMethods methods;
 
     void add(const method::MethodInfo& info) {
         methods.push_back(std::make_unique<PreparedMethod>(method::MethodConfig{&info, {}}, scene));

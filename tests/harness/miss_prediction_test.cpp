@@ -65,8 +65,7 @@ Explained explain(const scene::Scene& scene,
                   const std::string& method,
                   const core::ParamValues& settings) {
     const method::MethodConfig config{&methods::find_method(method), settings};
-    std::vector<std::unique_ptr<PreparedMethod>> methods;
-    methods.push_back(std::make_unique<PreparedMethod>(config, scene));
+    const PreparedMethods methods = prepare_methods(std::span(&config, 1), scene);
     std::vector<edge::EdgeImage> images;
     (void)draw_in_turns(methods, view, {1, 0, 0, 0}, images);
     truth::SceneModel model(scene, {});

@@ -62,8 +62,8 @@ struct Stage {
     scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
 
     Row timed(MeasureOptions options) {
-        std::vector<std::unique_ptr<PreparedMethod>> methods;
-        methods.push_back(std::make_unique<PreparedMethod>(method::MethodConfig{&info, {}}, scene));
+        const method::MethodConfig config{&info, {}};
+        const PreparedMethods methods = prepare_methods(std::span(&config, 1), scene);
         std::vector<edge::EdgeImage> images;
         const auto times = draw_in_turns(methods, view, options, images);
         Row row = methods[0]->row();

@@ -24,13 +24,11 @@ constexpr double kTwoPoints = 0.02;
 /// The rows of methods on views of one scene; `crease_deg` is the methods' and the truth's.
 std::vector<CancellationRow> study(const scene::Scene& scene,
                                    const std::vector<scene::View>& views,
-                                   const std::vector<method::MethodConfig>& configs,
+                                   std::vector<method::MethodConfig> configs,
                                    double crease_deg) {
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (method::MethodConfig config : configs) {
+    for (method::MethodConfig& config : configs)
         config.settings["crease_deg"] = std::to_string(crease_deg);
-        methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
-    }
+    const auto methods = harness::prepare_methods(configs, scene);
     truth::TruthOptions options;
     options.crease_rad = crease_deg * kDegree_rad;
     truth::SceneModel model(scene, options);

@@ -27,8 +27,7 @@ struct EntrantTestArgs {
 /// Draws a view and prints a line about it; false if something is wrong.
 bool test_view(const method::MethodConfig& config, const harness::SceneViews& scene_views) {
     const std::string place = scene_views.scene.name + " " + scene_views.views.front().camera.name;
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene_views.scene));
+    const auto methods = harness::prepare_methods(std::span(&config, 1), scene_views.scene);
     std::vector<edge::EdgeImage> images;
     const auto times = harness::draw_in_turns(methods, scene_views.views.front(), {}, images);
     if (!times.front().failure.empty()) {
