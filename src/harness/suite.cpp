@@ -195,7 +195,8 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
     std::vector<SceneViews> scenes;
     std::set<std::string> taken;
     for (const std::string& name : all) {
-        SceneViews scene_views = make_scene_views(load_scene(name, request.model), request);
+        SceneViews scene_views =
+            make_scene_views(load_scene(name, request.model, request.limits), request);
         const std::string base = scene_views.scene.name;
         for (int n = 2; !taken.insert(scene_views.scene.name).second; ++n) {
             scene_views.scene.name = fmt::format("{}.{}", base, n);
@@ -207,9 +208,9 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
 
 SceneViews load_one_view(const std::string& what,
                          const std::string& view_name,
-                         const ViewRequest& request,
-                         const import::ImportLimits& limits) {
-    SceneViews scene_views = make_scene_views(load_scene(what, request.model, limits), request);
+                         const ViewRequest& request) {
+    SceneViews scene_views =
+        make_scene_views(load_scene(what, request.model, request.limits), request);
     std::vector<std::string> names;
     for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);

@@ -41,6 +41,7 @@ struct ViewRequest {
     std::optional<double> time_s;        ///< when an animated scene is seen; default: rest pose
     std::optional<int> frame;            ///< by a stored frame's number instead
     import::ModelChoice model = {};      ///< of model files
+    import::ImportLimits limits = {};    ///< how far these are trusted, and who reads them
 };
 
 /// A scene with the views it is to be drawn from.
@@ -78,8 +79,7 @@ struct SceneViews {
 /// Throws core::Error that lists the views' names if none is called so.
 [[nodiscard]] SceneViews load_one_view(const std::string& what,
                                        const std::string& view_name,
-                                       const ViewRequest& request,
-                                       const import::ImportLimits& limits = {});
+                                       const ViewRequest& request);
 
 /// Whether `seams`, "objects" or "materials", lets seams stand between materials, too; throws
 /// core::Error (where = `where`) for other text.

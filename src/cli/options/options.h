@@ -6,39 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "experiment/experiment.h"
-#include "harness/suite.h"
+#include "experiment/view_options.h"
 
 namespace ink::cli {
+
+using experiment::view_request;
+using experiment::ViewOptions;
 
 /// What exit code 3 of a run means, for the help texts.
 inline constexpr const char* kUnscoredCode =
     "3 some views have no score (crowded ones do not count)";
 
-/// The options by which every command says which views it means, as text until `view_request` reads
-/// them.
-struct ViewOptions {
-    std::string size = "1280x720";
-    std::string views;  ///< a number, or "file"
-    std::vector<std::string> eyes;
-    std::vector<std::string> targets;
-    std::optional<std::string> up;  ///< only with eyes, as the next
-    std::optional<double> fov_deg;
-    std::optional<double> time_s;
-    std::optional<int> frame;
-    std::string fit;  ///< "", "sphere" or "box"
-    std::optional<double> margin;
-    std::vector<std::string> objects;
-    std::string animation;
-    std::string seams = "objects";
-};
-
 /// Adds --size, --views, --fit, --margin, --object, --eye, --target, --up, --fov, --time, --frame,
 /// --animation and --seams to a command.
 void add_view_options(CLI::App& command, ViewOptions& options);
-
-/// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
-[[nodiscard]] harness::ViewRequest view_request(const ViewOptions& options);
 
 /// Adds --out DIR, or -o DIR: the folder that a command writes; `doc` says what into it.
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc);

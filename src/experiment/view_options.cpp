@@ -1,0 +1,128 @@
+#include "experiment/view_options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "core/error.h"
+#include "core/parse_number.h"
+#include "experiment/experiment.h"
+#include "methods/method_configs.h"
+
+namespace ink::experiment {
+namespace {
+
+constexpr double kMostMargin = 0.45;
+
+glm::dvec3 parse_point(const std::string& text, const std::string& option) {
+    const std::vector<std::string> parts = methods::split_list(text);
+    glm::dvec3 point{0};
+    bool is_point = parts.size() == 3;
+    for (int i = 0; is_point && i < 3; ++i) {
+        point[i] = core::parse_number<double>(parts[static_cast<std::size_t>(i)]).value_or(NAN);
+        is_point = std::isfinite(point[i]);
+    }
+    if (!is_point) {
+        throw core::Error(option, fmt::format("'{}' is no point", text), "X,Y,Z");
+    }
+    return point;
+}
+
+/// A direction, which has a length.
+glm::dvec3 parse_direction(const std::string& text, const std::string& option) {
+    const glm::dvec3 direction = parse_point(text, option);
+    if (direction == glm::dvec3(0)) {
+        throw core::Error(option,
+                          fmt::format("'{}' is no direction: its length is 0", text),
+                          "X,Y,Z that are not all 0");
+    }
+    return direction;
+}
+
+/// What belongs to a camera that is set by hand says nothing without one.
+void refuse_without_eye(const ViewOptions& options) {
+    const auto refuse = [](const char* option) {
+        throw core::Error(
+            option, "there is no --eye, whose camera it would set", "--eye X,Y,Z beside it");
+    };
+    if (!options.eyes.empty()) return;
+    if (!options.targets.empty()) refuse("--target");
+    if (options.up) refuse("--up");
+    if (options.fov_deg) refuse("--fov");
+}
+
+void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
+    refuse_without_eye(options);
+    if (options.targets.size() > options.eyes.size()) {
+        throw core::Error(
+            "--target", "there are more targets than eyes", "one --eye for each --target");
+    }
+    for (std::size_t i = 0; i < options.eyes.size(); ++i) {
+        harness::CameraRequest camera;
+        camera.eye_world = parse_point(options.eyes[i], "--eye");
+        if (i < options.targets.size()) {
+            camera.target_world = parse_point(options.targets[i], "--target");
+        }
+        if (options.up) camera.up_world = parse_direction(*options.up, "--up");
+        camera.fov_y_rad = glm::radians(options.fov_deg.value_or(kFov_deg));
+        request.cameras.push_back(camera);
+    }
+}
+
+void parse_framing(const ViewOptions& options, harness::ViewRequest& request) {
+    if (options.fit != "" && options.fit != "sphere" && options.fit != "box")
+        throw core::Error(
+            "--fit", fmt::format("'{}' is no way to fit", options.fit), "sphere, box");
+    if (options.fit == "box") request.fit = harness::Fit::box;
+    if (options.fit == "sphere") request.fit = harness::Fit::sphere;
+    if (options.margin) {
+        if (request.fit != harness::Fit::box)
+            throw core::Error("--margin", "there is no --fit box beside it", "--fit box");
+        if (!(*options.margin >= 0 && *options.margin <= kMostMargin)) {
+            throw core::Error("--margin",
+                              fmt::format("the margin cannot be {:g}", *options.margin),
+                              fmt::format("0..{:g} of the frame", kMostMargin));
+        }
+    }
+    request.margin = options.margin;
+    request.objects = options.objects;
+    const bool is_framed = request.fit || !request.objects.empty();
+    if (is_framed && (!request.cameras.empty() || options.views == "file")) {
+        throw core::Error(request.fit ? "--fit" : "--object",
+                          "the cameras are given, so there is nothing to frame",
+                          "no --eye and no --views file beside it");
+    }
+}
+
+}  // namespace
+
+harness::ViewRequest view_request(const ViewOptions& options) {
+    harness::ViewRequest request;
+    const ImageSize size = parse_image_size(options.size, "--size");
+    request.width_px = size.width_px;
+    request.height_px = size.height_px;
+    parse_cameras(options, request);
+    parse_framing(options, request);
+    if (options.views == "file") {
+        request.file_cameras = true;
+    } else if (!options.views.empty()) {
+        const int count = core::parse_number<int>(options.views).value_or(0);
+        if (count < 1 || count > 360) {
+            throw core::Error("--views",
+                              fmt::format("'{}' is no number of views", options.views),
+                              "1..360, or 'file'");
+        }
+        request.orbit_count = count;
+    }
+    if (options.time_s && options.frame) {
+        throw core::Error("--time", "there is a --frame beside it", "one of the two");
+    }
+    request.time_s = options.time_s;
+    request.frame = options.frame;
+    request.model.animation = options.animation;
+    request.model.material_seams = harness::parse_seams(options.seams, "--seams");
+    return request;
+}
+
+}  // namespace ink::experiment

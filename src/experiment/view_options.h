@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/suite.h"
+
+namespace ink::experiment {
+
+inline constexpr double kFov_deg = 40;  ///< of a camera that is set by hand
+
+/// The options by which every command, and Python, says which views it means, as text until
+/// `view_request` reads them.
+struct ViewOptions {
+    std::string size = "1280x720";
+    std::string views;  ///< a number, or "file"
+    std::vector<std::string> eyes;
+    std::vector<std::string> targets;
+    std::optional<std::string> up;  ///< only with eyes, as the next
+    std::optional<double> fov_deg;
+    std::optional<double> time_s;
+    std::optional<int> frame;
+    std::string fit;  ///< "", "sphere" or "box"
+    std::optional<double> margin;
+    std::vector<std::string> objects;
+    std::string animation;
+    std::string seams = "objects";
+};
+
+/// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
+[[nodiscard]] harness::ViewRequest view_request(const ViewOptions& options);
+
+}  // namespace ink::experiment
