@@ -122,10 +122,14 @@ raster::SkipCounts CodeMethod::draw_lines(const method::Frame& frame, edge::Edge
 }
 
 std::vector<method::Layer> CodeMethod::layers(const method::Frame& frame) {
-    return {with_code(setup_.bytes, [&](auto code) {
+    method::Layer layer = with_code(setup_.bytes, [&](auto code) {
         using Code = decltype(code);
         return pass().layer<Code>(frame, "codes", [](Code each) { return color_of(each); });
+    });
+    layer.codes = {core::mapped<std::uint16_t>(layer.rgb, [&](const glm::u8vec3& color) {
+        return static_cast<std::uint16_t>(setup_.bytes == 1 ? color.x : color.x | color.y << 8);
     })};
+    return {std::move(layer)};
 }
 
 }  // namespace ink::methods

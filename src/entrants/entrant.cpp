@@ -18,7 +18,6 @@
 #include "core/interrupt.h"
 #include "entrants/image_folder.h"
 #include "entrants/view_files.h"
-#include "harness/outside_method.h"
 #include "harness/row.h"
 #include "import/child_process.h"
 #include "methods/registry.h"
@@ -259,26 +258,38 @@ Entrant parse_entrant(const std::string& text) {
 }
 
 method::MethodConfig entrant_config(const Entrant& entrant, const EntrantLimits& limits) {
+    const auto make_source = [entrant, limits] {
+        return entrant.is_program ? program_source(entrant.path, limits)
+                                  : image_folder_source(entrant.path);
+    };
+    return outside_config(
+        entrant.name,
+        entrant.path.string(),
+        make_source,
+        {{"entrant", entrant.path.string()},
+         {"content", entrant.is_program ? file_hash(entrant.path) : folder_hash(entrant.path)}});
+}
+
+method::MethodConfig outside_config(const std::string& name,
+                                    const std::string& origin,
+                                    const std::function<harness::OutsideSource()>& make_source,
+                                    const core::ParamValues& facts) {
+    check_entrant_name(name, name);
     auto info = std::make_shared<method::MethodInfo>();
-    info->name = entrant.name;
-    info->source = fmt::format("outside: {}", entrant.path.string());
-    info->summary = entrant.is_program ? "a program from outside" : "images from outside";
+    info->name = name;
+    info->source = fmt::format("outside: {}", origin);
+    info->summary = "images from outside";
     info->params = entrant_table().params();
     info->family = method::Family::other;
     info->marker = method::Marker::cross;
-    info->make = [entrant, limits](const core::ParamValues& values) {
-        (void)entrant_table().read(values, entrant.name);
-        return std::make_unique<harness::OutsideMethod>(entrant.is_program
-                                                            ? program_source(entrant.path, limits)
-                                                            : image_folder_source(entrant.path));
+    info->make = [name, make_source](const core::ParamValues& values) {
+        (void)entrant_table().read(values, name);
+        return std::make_unique<harness::OutsideMethod>(make_source());
     };
-    const std::string content =
-        entrant.is_program ? file_hash(entrant.path) : folder_hash(entrant.path);
-    info->complete = [entrant, content](const core::ParamValues& values) {
+    info->complete = [name, facts](const core::ParamValues& values) {
         const auto table = entrant_table();
-        core::ParamValues all = table.write(table.read(values, entrant.name));
-        all["entrant"] = entrant.path.string();
-        all["content"] = content;
+        core::ParamValues all = table.write(table.read(values, name));
+        all.insert(facts.begin(), facts.end());
         return all;
     };
     return {info.get(), {}, info, true};

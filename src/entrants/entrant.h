@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
+#include "harness/outside_method.h"
 #include "method/method_config.h"
 
 namespace ink::entrants {
@@ -37,5 +39,16 @@ struct EntrantLimits {
 /// or the program).
 [[nodiscard]] method::MethodConfig entrant_config(const Entrant& entrant,
                                                   const EntrantLimits& limits = {});
+
+/// A method whose images come from what `make_source` makes, as a configuration. Its parameters are
+/// `threshold` (128) and, for the record, `facts`; `origin` says in words where the images are
+/// from.
+///
+/// Throws core::Error (where = "--entrant") for a name that parse_entrant would refuse.
+[[nodiscard]] method::MethodConfig outside_config(
+    const std::string& name,
+    const std::string& origin,
+    const std::function<harness::OutsideSource()>& make_source,
+    const core::ParamValues& facts = {});
 
 }  // namespace ink::entrants

@@ -44,11 +44,18 @@ std::vector<std::string> scenes_called(const std::string& name) {
 }
 
 std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
-    std::vector<method::MethodConfig> configs = methods::make_configs(
-        fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
-    for (const std::string& text : experiment.entrants) {
-        configs.push_back(entrants::entrant_config(entrants::parse_entrant(text),
+    std::vector<method::MethodConfig> configs;
+    const bool is_all_own = experiment.methods.empty() && experiment.presets.empty();
+    if (experiment.own_methods.empty() || !is_all_own) {
+        configs = methods::make_configs(
+            fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
+    }
+    std::vector<method::MethodConfig> outside = experiment.own_methods;
+    for (const std::string& text : experiment.entrants)
+        outside.push_back(entrants::entrant_config(entrants::parse_entrant(text),
                                                    {.wall_s = experiment.entrant_s}));
+    for (method::MethodConfig& config : outside) {
+        configs.push_back(std::move(config));
         const auto is_namesake = [&](const method::MethodConfig& other) {
             return other.info->name == configs.back().info->name;
         };

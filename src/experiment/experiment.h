@@ -57,6 +57,8 @@ struct Experiment {
     std::vector<std::string> presets;   ///< preset files whose methods take part too
     std::vector<std::string> entrants;  ///< NAME=PATH, methods from outside that take part too
     double entrant_s = 60;              ///< that a program from outside may take for a view
+    /// compare: made by code, beside (or instead of) these.
+    std::vector<method::MethodConfig> own_methods = {};
     std::vector<ImageSize> sizes;       ///< one at least
     std::vector<int> threads = {1};     ///< of the methods
     std::vector<std::string> scenes;    ///< built-in scenes or model files; compare, animation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -69,6 +70,8 @@ struct Layer {
     std::string name;  ///< what `inkbench draw --layer` calls it: small letters and underscores
     core::Image<glm::u8vec3> rgb;  ///< of the view's size
     std::string note = {};         ///< what it counted, in a line of plain text; empty: nothing
+    /// Of an image of codes these themselves, a plane each; else none.
+    std::vector<core::Image<std::uint16_t>> codes = {};
 };
 
 /// One outline method. It sees a scene and a camera and draws edge responses; it never sees the

@@ -1,9 +1,10 @@
 """Draws outlines, traces exact ones and scores one against the other.
 
-Images are arrays of uint8, (height, width), row 0 the top. Experiments are the program's.
+Images are arrays of uint8, (height, width), row 0 the top.
 """
 
-from typing import Any, Mapping, Optional, Union
+from os import PathLike
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,47 @@ class Error(ValueError):
 
 class TooLarge(MemoryError):
     """A view has too many lines to trace."""
+
+Point = Union[str, Sequence[float], NDArray[Any]]
+Size = Union[str, tuple[int, int]]
+Scene = Union[str, PathLike[str]]
+Settings = Mapping[str, Any]
+
+class Camera:
+    def __init__(
+        self,
+        eye: Point,
+        target: Optional[Point] = None,
+        up: Point = (0, 1, 0),
+        fov_deg: float = 40.0,
+        size: Size = (1280, 720),
+    ) -> None: ...
+    @property
+    def eye(self) -> Point: ...
+    @property
+    def target(self) -> Optional[Point]: ...
+    @property
+    def up(self) -> Point: ...
+    @property
+    def fov_deg(self) -> float: ...
+    @property
+    def size(self) -> Size: ...
+
+class Buffers:
+    @property
+    def depth(self) -> NDArray[np.float32]: ...
+    @property
+    def normal(self) -> NDArray[np.float32]: ...
+    @property
+    def object(self) -> NDArray[np.uint32]: ...
+    @property
+    def patch(self) -> NDArray[np.uint32]: ...
+    @property
+    def triangle(self) -> NDArray[np.uint32]: ...
+    @property
+    def material(self) -> NDArray[np.uint32]: ...
+    @property
+    def view(self) -> dict[str, Any]: ...
 
 class Truth:
     @property
@@ -69,25 +111,104 @@ class Score:
 def scenes() -> list[dict[str, Any]]: ...
 def methods() -> list[dict[str, Any]]: ...
 def truth(
-    scene: str,
-    view: str = "",
+    scene: Scene,
+    view: Union[str, Camera] = "",
     *,
-    width_px: int = 1280,
-    height_px: int = 720,
-    crease_deg: float = 40.0,
+    crease_deg: float = 40,
+    weld_epsilon: float = 0,
     intersections: str = "above_crease",
-    threads: int = 0,
+    threads: int = ...,
+    size: Size = "1280x720",
+    views: Union[int, str] = "",
+    fit: str = "",
+    margin: Optional[float] = None,
+    objects: Sequence[str] = (),
+    time_s: Optional[float] = None,
+    frame: Optional[int] = None,
+    animation: Union[int, str] = "",
+    seams: str = "objects",
 ) -> Truth: ...
 def draw(
     method: str,
-    scene: str,
-    view: str = "",
+    scene: Scene,
+    view: Union[str, Camera] = "",
     *,
-    width_px: int = 1280,
-    height_px: int = 720,
-    settings: Mapping[str, str] = {},
+    settings: Settings = {},
     threads: int = 1,
+    skips_off: Sequence[str] = (),
+    size: Size = "1280x720",
+    views: Union[int, str] = "",
+    fit: str = "",
+    margin: Optional[float] = None,
+    objects: Sequence[str] = (),
+    time_s: Optional[float] = None,
+    frame: Optional[int] = None,
+    animation: Union[int, str] = "",
+    seams: str = "objects",
 ) -> NDArray[np.uint8]: ...
+def layers(
+    method: str,
+    scene: Scene,
+    view: Union[str, Camera] = "",
+    *,
+    settings: Settings = {},
+    threads: int = 1,
+    skips_off: Sequence[str] = (),
+    size: Size = "1280x720",
+    views: Union[int, str] = "",
+    fit: str = "",
+    margin: Optional[float] = None,
+    objects: Sequence[str] = (),
+    time_s: Optional[float] = None,
+    frame: Optional[int] = None,
+    animation: Union[int, str] = "",
+    seams: str = "objects",
+) -> dict[str, NDArray[Any]]: ...
+def buffers(
+    scene: Scene,
+    view: Union[str, Camera] = "",
+    *,
+    crease_deg: float = 40,
+    size: Size = "1280x720",
+    views: Union[int, str] = "",
+    fit: str = "",
+    margin: Optional[float] = None,
+    objects: Sequence[str] = (),
+    time_s: Optional[float] = None,
+    frame: Optional[int] = None,
+    animation: Union[int, str] = "",
+    seams: str = "objects",
+) -> Buffers: ...
+def compare(
+    scenes: Union[Scene, Sequence[Scene]],
+    functions: Mapping[str, Callable[[Buffers], NDArray[np.uint8]]] = {},
+    cameras: Union[Camera, Sequence[Camera]] = (),
+    *,
+    methods: Union[str, Sequence[str]] = (),
+    presets: Sequence[str] = (),
+    entrants: Sequence[str] = (),
+    settings: Settings = {},
+    threads: int = 1,
+    crease_deg: float = 40,
+    weld_epsilon: float = 0,
+    intersections: str = "above_crease",
+    repetitions: int = 15,
+    budget_ms: float = 30,
+    times: bool = True,
+    crosscheck: bool = True,
+    full_scores: bool = True,
+    skips_off: Sequence[str] = (),
+    seed: int = 0,
+    size: Size = "1280x720",
+    views: Union[int, str] = "",
+    fit: str = "",
+    margin: Optional[float] = None,
+    objects: Sequence[str] = (),
+    time_s: Optional[float] = None,
+    frame: Optional[int] = None,
+    animation: Union[int, str] = "",
+    seams: str = "objects",
+) -> list[dict[str, Any]]: ...
 def score(
     edges: NDArray[np.uint8],
     truth: Union[Truth, NDArray[np.uint8]],

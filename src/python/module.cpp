@@ -1,12 +1,8 @@
 // The Python module `inkbench`: its functions. Names, defaults and sentences are the program's.
 
-#include <dlfcn.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <filesystem>
-#include <map>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,52 +13,23 @@
 #include "core/parallel.h"
 #include "core/param.h"
 #include "draw/drawing.h"
+#include "entrants/view_files.h"
+#include "experiment/experiment_plan.h"
+#include "harness/skip_switches.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 #include "methods/method_configs.h"
 #include "methods/registry.h"
 #include "python/arrays.h"
+#include "python/asked.h"
+#include "python/buffers.h"
+#include "python/compare.h"
 #include "python/results.h"
-#include "score/intersections.h"
 
 namespace ink::python {
 namespace {
 
 namespace py = pybind11;
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-
-/// The program that reads models: from the folder of this module as the build or the installation
-/// has it.
-std::filesystem::path model_reader() {
-    Dl_info info{};
-    dladdr(reinterpret_cast<const void*>(&model_reader), &info);
-    const auto folder = std::filesystem::absolute(info.dli_fname).parent_path();
-    for (const char* from_module : {INK_READER_IN_BUILD, INK_READER_INSTALLED}) {
-        const auto reader = (folder / from_module).lexically_normal();
-        if (std::filesystem::exists(reader)) return reader;
-    }
-    return (folder / INK_READER_INSTALLED).lexically_normal();
-}
-
-harness::SceneViews load(const std::string& scene,
-                         const std::string& view,
-                         int width_px,
-                         int height_px) {
-    harness::ViewRequest request;
-    request.width_px = width_px;
-    request.height_px = height_px;
-    import::ImportLimits limits;
-    limits.child = model_reader();
-    return harness::load_one_view(scene, view, request, limits);
-}
-
-int checked_threads(int threads) {
-    if (threads < 0 || threads > 1024) {
-        throw core::Error("threads", std::to_string(threads) + " is not possible", "0..1024");
-    }
-    return threads == 0 ? core::hardware_threads() : threads;
-}
 
 py::list scenes() {
     py::list list;
@@ -96,48 +63,90 @@ py::list methods() {
     return list;
 }
 
-TruthArrays truth(const std::string& scene,
-                  const std::string& view,
-                  int width_px,
-                  int height_px,
-                  double crease_deg,
-                  const std::string& intersections,
-                  int threads) {
-    harness::TraceOptions options;
-    if (!(crease_deg >= 0 && crease_deg <= 180)) {
-        throw core::Error("crease_deg", std::to_string(crease_deg) + " is no angle", "0..180");
-    }
-    options.truth.crease_rad = crease_deg * kRadPerDeg;
-    options.truth.threads = checked_threads(threads);
-    options.intersections = score::parse_intersections(intersections, "intersections");
+const Keywords& truth_keywords() {
+    static const Keywords keywords = [] {
+        Keywords of_truth{{"measure.crease_deg",
+                           "measure.weld_epsilon",
+                           "measure.intersections",
+                           "grid.threads"}};
+        of_truth.usual.threads = {core::hardware_threads()};
+        return of_truth;
+    }();
+    return keywords;
+}
+
+const Keywords& draw_keywords() {
+    static const Keywords keywords{{"grid.threads", "measure.skips_off"}, {}, true};
+    return keywords;
+}
+
+const Keywords& buffer_keywords() {
+    static const Keywords keywords{{"measure.crease_deg"}};
+    return keywords;
+}
+
+TruthArrays truth(const py::object& scene, const py::object& view, const py::kwargs& given) {
+    const Asked asked = read_asked(truth_keywords(), view, given);
+    const std::string name = text_of(scene);
+    harness::TraceOptions options = experiment::trace_of(asked.experiment, {});
+    options.truth.threads = asked.experiment.threads.front();
     auto traced = [&] {
         const py::gil_scoped_release others_run;
-        const harness::SceneViews of = load(scene, view, width_px, height_px);
+        const auto of = harness::load_one_view(name, asked.view, asked.views);
         truth::SceneModel model(of.scene, options.truth);
         return harness::trace_view(model, of.views.front(), options);
     }();
     return TruthArrays(std::move(traced));
 }
 
-py::array draw(const std::string& method,
-               const std::string& scene,
-               const std::string& view,
-               int width_px,
-               int height_px,
-               const std::map<std::string, std::string>& settings,
-               int threads) {
-    std::vector<std::string> texts;
-    for (const auto& [key, value] : settings)
-        texts.push_back(key + "=" + value);
-    draw::Drawing drawing = [&] {
+/// Calls use(scene and view, configuration, options of drawing) while other Python threads run.
+template <class Use>
+auto drawn_by(const py::object& method,
+              const py::object& scene,
+              const py::object& view,
+              const py::kwargs& given,
+              Use use) {
+    const Asked asked = read_asked(draw_keywords(), view, given);
+    const std::string names = text_of(method);
+    const std::string name = text_of(scene);
+    const py::gil_scoped_release others_run;
+    const auto configs = methods::make_configs(names, asked.experiment.settings);
+    if (configs.size() != 1) throw core::Error("--method", "an image is of one", "one name");
+    draw::DrawOptions options;
+    options.threads = asked.experiment.threads.front();
+    options.skips = harness::without_skips({}, asked.experiment.skips_off);
+    return use(harness::load_one_view(name, asked.view, asked.views), configs.front(), options);
+}
+
+py::array draw(const py::object& method,
+               const py::object& scene,
+               const py::object& view,
+               const py::kwargs& given) {
+    return array_of(drawn_by(method, scene, view, given, draw::make_drawing).edge_responses);
+}
+
+py::dict layers(const py::object& method,
+                const py::object& scene,
+                const py::object& view,
+                const py::kwargs& given) {
+    py::dict arrays;
+    for (const method::Layer& layer : drawn_by(method, scene, view, given, draw::draw_layers))
+        arrays[py::str(layer.name)] = layer_array(layer);
+    return arrays;
+}
+
+BufferArrays buffers(const py::object& scene, const py::object& view, const py::kwargs& given) {
+    const Asked asked = read_asked(buffer_keywords(), view, given);
+    const std::string name = text_of(scene);
+    const double crease_rad = experiment::trace_of(asked.experiment, {}).truth.crease_rad;
+    std::string json;
+    auto drawn = [&] {
         const py::gil_scoped_release others_run;
-        const std::vector<method::MethodConfig> configs = methods::make_configs(method, texts);
-        if (configs.size() != 1) throw core::Error("method", "one is drawn", "the name of one");
-        draw::DrawOptions options;
-        options.threads = checked_threads(threads);
-        return draw::make_drawing(load(scene, view, width_px, height_px), configs.front(), options);
+        const auto of = harness::load_one_view(name, asked.view, asked.views);
+        json = entrants::view_json(of.scene, of.views.front(), {});
+        return entrants::view_buffers(of.scene, of.views.front(), crease_rad);
     }();
-    return array_of(std::move(drawing.edge_responses));
+    return {std::move(drawn), json};
 }
 
 score::ScoreOptions options_of(double tolerance_px, int threshold, bool thin) {
@@ -187,16 +196,74 @@ py::array score_curve(const py::object& edges,
     return counts;
 }
 
+/// The functions whose keywords are the program's options.
+void add_functions_of_views(py::module_& module) {
+    const auto add = [&](const char* name,
+                         auto function,
+                         const char* doc,
+                         const Keywords& keywords,
+                         const auto&... arguments) {
+        module.def(name, function, (doc + keywords.text()).c_str(), arguments...);
+    };
+    const auto scene = py::arg("scene");
+    const auto method = py::arg("method");
+    const auto view = py::arg("view") = "";
+    add("truth",
+        &truth,
+        "Traces the exact outline of one view of a built-in scene or a model file. view is a name "
+        "(the first unless one is named) or a Camera.",
+        truth_keywords(),
+        scene,
+        view);
+    add("draw",
+        &draw,
+        "Draws one view with one method: its edge responses, uint8, (height, width), 0 no line .. "
+        "255.",
+        draw_keywords(),
+        method,
+        scene,
+        view);
+    add("layers",
+        &layers,
+        "What a method has inside for one view, name to array: codes (`codes`, `packed`) as they "
+        "are, uint16, (height, width, planes); the rest as images, uint8, (height, width, 3).",
+        draw_keywords(),
+        method,
+        scene,
+        view);
+    add("buffers",
+        &buffers,
+        "Depth, normals and ids of one view, as Buffers.",
+        buffer_keywords(),
+        scene,
+        view);
+    add("compare",
+        &compare,
+        "Draws, traces, scores and times methods on all views of scenes (or by cameras) as the "
+        "command compare does, and gives the lines of rows.csv: a list of dicts, column to value, "
+        "None where a field is empty; experiments/columns.md says what columns mean. functions are "
+        "methods of yours, name to function: called with the Buffers of a view, it returns edge "
+        "responses, uint8, (height, width), light lines on dark, that count from threshold 128 "
+        "on. draw_ns is the time of the call; making the buffers does not count. Without methods "
+        "the functions alone are compared, or without any all methods.",
+        compare_keywords(),
+        py::arg("scenes"),
+        py::arg("functions") = py::dict(),
+        py::arg("cameras") = py::tuple());
+}
+
 }  // namespace
 
 PYBIND11_MODULE(inkbench, module) {
     module.doc() =
         "Draws outlines, traces exact ones and scores one against the other. Images are "
-        "arrays of uint8, (height, width), row 0 the top. Experiments are the program's.";
+        "arrays of uint8, (height, width), row 0 the top.";
     // Raised for bad input, with the sentence that the program would print.
     py::register_exception<core::Error>(module, "Error", PyExc_ValueError);
     py::register_exception<truth::TooLarge>(module, "TooLarge", PyExc_MemoryError);
     add_results(module);
+    add_camera(module);
+    add_buffers(module);
     module.def("scenes",
                &scenes,
                "The built-in scenes: a dict each, with name, split, views and summary.");
@@ -204,32 +271,7 @@ PYBIND11_MODULE(inkbench, module) {
         "methods",
         &methods,
         "The methods: a dict each, with name, summary, source and params (defaults as text).");
-    module.def(
-        "truth",
-        &truth,
-        "Traces the exact outline of one view of a built-in scene or a model file; the first "
-        "view unless one is named. Sizes are px, angles degrees; 0 threads are all that the "
-        "machine has. intersections: above_crease or all, the others are ignored.",
-        py::arg("scene"),
-        py::arg("view") = "",
-        py::kw_only(),
-        py::arg("width_px") = 1280,
-        py::arg("height_px") = 720,
-        py::arg("crease_deg") = 40.0,
-        py::arg("intersections") = "above_crease",
-        py::arg("threads") = 0);
-    module.def("draw",
-               &draw,
-               "Draws one view with one method: its edge responses, uint8, (height, width), 0 no "
-               "line .. 255. settings are parameters of the method, name to text.",
-               py::arg("method"),
-               py::arg("scene"),
-               py::arg("view") = "",
-               py::kw_only(),
-               py::arg("width_px") = 1280,
-               py::arg("height_px") = 720,
-               py::arg("settings") = std::map<std::string, std::string>(),
-               py::arg("threads") = 1);
+    add_functions_of_views(module);
     module.def(
         "score",
         &score,

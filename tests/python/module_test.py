@@ -3,37 +3,15 @@
 import ast
 import inspect
 import json
-import os
-import subprocess
-import sys
+import re
 import tempfile
 import unittest
 from pathlib import Path
 
-try:
-    import numpy as np
+from program import SIZE, SOURCE, read_gray, run, sentence
 
-    import inkbench
-except ImportError as reason:
-    print(f"skipped: {reason} (apt-get install pybind11-dev python3-numpy, then build again)")
-    sys.exit(77)
-
-PROGRAM = os.environ["INKBENCH"]
-SOURCE = Path(os.environ["INKBENCH_SOURCE"])
-SIZE = {"width_px": 320, "height_px": 180}
-
-
-def run(*arguments):
-    """What the program prints; its complaint if it fails."""
-    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False)
-    return done.stdout if done.returncode == 0 else done.stderr
-
-
-def read_gray(path):
-    """An 8-bit PNG as an array, by the library that the figures use."""
-    from matplotlib import image
-
-    return np.rint(image.imread(path) * 255).astype(np.uint8)
+import inkbench
+import numpy as np
 
 
 class Module(unittest.TestCase):
@@ -44,7 +22,6 @@ class Module(unittest.TestCase):
 
     def file(self, name):
         return str(self.folder / name)
-
 
     @staticmethod
     def views(name):
@@ -62,8 +39,9 @@ class Module(unittest.TestCase):
             self.assertGreater(lengths.sum(), np.count_nonzero(truth.labels))
 
     def test_drawing_is_that_of_the_program(self):
-        for method, settings in (("mote4", {}), ("surface8", {}), ("ids", {"samples": "corner"})):
-            texts = [text for pair in settings.items() for text in ("--set", "=".join(pair))]
+        for method, settings in (("mote4", {}), ("surface8", {}), ("ids", {"samples": "corner"}),
+                                 ("surface8", {"turn_deg": 5}), ("mote4", {"fatten": True, "threshold": np.int64(9)})):
+            texts = [text for key, value in settings.items() for text in ("--set", f"{key}={value}".lower())]
             run("draw", "torus", "--method", method, "--size", "320x180", "--response", *texts, "-o",
                 self.file("edges.png"))
             edges = inkbench.draw(method, "torus", **SIZE, settings=settings)
@@ -111,9 +89,6 @@ class Module(unittest.TestCase):
         np.testing.assert_array_equal(edges, before[1])
 
     def test_errors_are_the_programs_sentences(self):
-        def sentence(*arguments):
-            return run(*arguments).strip().removeprefix("inkbench: ")
-
         with self.assertRaises(inkbench.Error) as caught:
             inkbench.truth("cubee")
         # The program takes lists and globs of scenes, and says that none fits.
@@ -161,17 +136,28 @@ class Module(unittest.TestCase):
         public = {name for name in dir(inkbench) if not name.startswith("_")}
         self.assertEqual(public, set(functions) | set(classes))
         for name, node in functions.items():
-            docstring = getattr(inkbench, name).__doc__
-            signature = docstring.split("\n")[0]
-            for argument in node.args.args + node.args.kwonlyargs:
+            signature, _, text = getattr(inkbench, name).__doc__.partition("\n")
+            self.assertGreater(len(text.strip()), 40, name)
+            for argument in node.args.args:
                 self.assertIn(f"{argument.arg}:", signature, name)
+            # Options of the program stand in the text with their defaults, those of views at its end.
+            told = dict(re.findall(r"^(\w+) = ([^:;\n]*)[^:\n]*: ", text, re.M))
+            of_views = re.findall(r"^(.*): as the program's options of views", text, re.M)
+            told |= {keyword: None for line in of_views for keyword in line.split(", ")}
+            told.pop("scenes", None)
+            if "**kwargs" in signature:
+                self.assertEqual(set(told), {argument.arg for argument in node.args.kwonlyargs}, name)
             for argument, default in zip(node.args.kwonlyargs, node.args.kw_defaults):
-                if default is not None:
-                    self.assertIn(f" = {ast.literal_eval(default)!r}", signature, argument.arg)
-            self.assertGreater(len(docstring.split("\n", 1)[1].strip()), 40, name)
+                value = ast.literal_eval(default)
+                if "**kwargs" not in signature:
+                    self.assertIn(f"{argument.arg}: ", signature, name)
+                    self.assertIn(f" = {value!r}", signature, argument.arg)
+                elif told[argument.arg] is not None and value is not ...:
+                    value = "" if value == () else str(value).lower() if isinstance(value, bool) else str(value)
+                    self.assertEqual(told[argument.arg], value, f"{name} {argument.arg}")
         for name, node in classes.items():
             of = getattr(inkbench, name)
-            in_stub = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+            in_stub = {item.name for item in node.body if isinstance(item, ast.FunctionDef)} - {"__init__"}
             if issubclass(of, Exception):
                 continue
             there = {item for item, value in inspect.getmembers(of) if isinstance(value, property)}

@@ -13,6 +13,7 @@ struct Column {
     /// It holds a time or follows from one: two runs of one plan may differ in such columns and in
     /// no others.
     bool is_time = false;
+    bool is_text = false;  ///< what it holds is no number and no yes or no
 };
 
 /// A table of a run folder, as the data dictionary tells of it.

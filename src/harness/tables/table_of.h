@@ -56,6 +56,7 @@ class PartOf {
     /// A column that holds what `place` finds in the part.
     template <class Place>
     void add(Column column, Place place) const {
+        column.is_text = kIsText<Place>;
         table_->add(std::move(column), write(place), read([place](const CsvField& field, auto& of) {
                         field.read(std::invoke(place, of));
                     }));
@@ -67,6 +68,7 @@ class PartOf {
         const auto name_of = [=](const auto& of) {
             return names.at(static_cast<std::size_t>(std::invoke(place, of)));
         };
+        column.is_text = true;
         table_->add(
             std::move(column), write(name_of), read([=](const CsvField& field, auto& of) {
                 const auto at = std::find(names.begin(), names.end(), field.text());
@@ -78,6 +80,7 @@ class PartOf {
     /// A column that follows from others; it is written and not read.
     template <class Value>
     void add_derived(Column column, Value value_of) const {
+        column.is_text = kIsText<Value>;
         table_->add(std::move(column), write(value_of), [](const CsvField&, Record&) {});
     }
 
@@ -106,6 +109,11 @@ class PartOf {
     }
 
   private:
+    using Part = std::remove_reference_t<std::invoke_result_t<Make, Record&>>;
+    template <class Value>
+    static constexpr bool kIsText =
+        std::is_convertible_v<std::invoke_result_t<Value, const Part&>, std::string_view>;
+
     template <class T>
     static const T* present(const T& value) {
         return &value;

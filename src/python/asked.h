@@ -1,0 +1,56 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "experiment/experiment.h"
+#include "experiment/view_options.h"
+
+namespace ink::python {
+
+/// A camera that is set by hand, and the size of its image: --eye, --target, --up, --fov and --size
+/// of the program, as Python has them.
+struct Camera {
+    pybind11::object eye;
+    pybind11::object target;
+    pybind11::object up;
+    pybind11::object fov_deg;
+    pybind11::object size;
+
+    /// Throws core::Error for text that the program would refuse.
+    void put_into(experiment::ViewOptions& options) const;
+};
+
+/// Which keywords a function takes beside those of views, and what it has without them.
+struct Keywords {
+    std::vector<std::string> rows;  ///< of the option table; the keyword is the row's key
+    experiment::Experiment usual = {};
+    bool has_settings = false;
+
+    /// Sentences on all of them, for a docstring.
+    [[nodiscard]] std::string text() const;
+};
+
+/// What a function is asked, as the options of the program that it means.
+struct Asked {
+    experiment::Experiment experiment;  ///< `settings` too
+    harness::ViewRequest views = {};  ///< with the model reader that is installed with this module
+    std::string view = {};            ///< the name of one, or ""
+};
+
+/// A value as the program's text for it: True is "true".
+[[nodiscard]] std::string text_of(const pybind11::handle& value);
+
+/// Reads what was given; None leaves what is usual. `view` is a name, a Camera, or a list of these
+/// with images of one size. Throws core::Error with the program's sentences; for another keyword,
+/// the accepted ones.
+[[nodiscard]] Asked read_asked(const Keywords& keywords,
+                               const pybind11::handle& view,
+                               const pybind11::dict& given);
+
+/// Adds the class Camera to the module.
+void add_camera(pybind11::module_& module);
+
+}  // namespace ink::python
