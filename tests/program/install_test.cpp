@@ -65,6 +65,7 @@ TEST_F(Install, TheProgramReadsModelsWhereItIs) {
                 ElementsAre("bin/inkbench",
                             "bin/inkbench_import",
                             kScript,
+                            "share/doc/inkbench/copyright",
                             "share/inkbench/notebooks/figures.py",
                             "share/inkbench/notebooks/paper/vocabulary.json"))
         << "nothing else is installed";
