@@ -113,13 +113,14 @@ std::string score_table(const std::filesystem::path& prediction,
     return text;
 }
 
-std::string folder_table(const std::vector<draw::FolderScore>& scores) {
+std::string folder_table(const std::vector<draw::FolderScore>& scores, bool is_markdown) {
+    const char* const item = is_markdown ? "- " : "";
     core::Cells cells{{"image", "F", "precision", "recall", "predicted", "true"}};
     std::map<std::string, std::string> read_as;  // the images by how they were read
     std::string unscored;
     for (const draw::FolderScore& each : scores) {
         if (!each.score) {
-            unscored += fmt::format("no score: {}: {}\n", each.name, each.status);
+            unscored += fmt::format("{}no score: {}: {}\n", item, each.name, each.status);
             continue;
         }
         if (!each.notes.empty()) {
@@ -140,9 +141,10 @@ std::string folder_table(const std::vector<draw::FolderScore>& scores) {
                      "",
                      std::to_string(all.n_pred),
                      std::to_string(all.n_truth)});
-    std::string text = core::aligned(cells) + unscored;
+    std::string text = is_markdown ? core::markdown(cells) + "\n" : core::aligned(cells);
+    text += unscored;
     for (const auto& [how, names] : read_as)
-        text += fmt::format("read as {}: {}\n", how, names);
+        text += fmt::format("{}read as {}: {}\n", item, how, names);
     return text;
 }
 

@@ -17,8 +17,10 @@ namespace ink::cli {
                                       const std::string& truth_name,
                                       const draw::FilesScore& scored);
 
-/// The scores of a folder: a line each, then all of them pooled.
-[[nodiscard]] std::string folder_table(const std::vector<draw::FolderScore>& scores);
+/// The scores of a folder: a line each, then all of them pooled, and what has no score. For a
+/// terminal, or as Markdown.
+[[nodiscard]] std::string folder_table(const std::vector<draw::FolderScore>& scores,
+                                       bool is_markdown = false);
 
 /// The same as JSON: {"images": {name: score or {"status"}}, "pooled": ..., "unmatched": [files]}.
 [[nodiscard]] std::string folder_json(const std::vector<draw::FolderScore>& scores,

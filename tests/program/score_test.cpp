@@ -41,11 +41,15 @@ TEST(Score, FoldersGiveALineEachAndTellWhatIsMissing) {
     expect_done(desk, "truth cube --size 96x54 -o truths/cube.exr");
     expect_done(desk, "truth torus --size 96x54 -o truths/torus.exr");
     expect_done(desk, "draw cube --methods ids --size 96x54 -o drawn/cube.png");
-    const Outcome outcome = desk.run("score drawn truths --picture errors");
+    const Outcome outcome = desk.run("score drawn truths --picture errors --markdown s.md");
     EXPECT_EQ(outcome.exit_code, 3) << "one has no score";
     EXPECT_THAT(outcome.out, HasSubstr("cube"));
     EXPECT_THAT(outcome.out, HasSubstr("no score: torus: there is no image of this name"));
     EXPECT_THAT(desk.read("errors/cube.png"), StartsWith("\x89PNG"));
+    const std::string summary = desk.read("s.md");
+    EXPECT_THAT(summary, StartsWith("| image | F |"));
+    EXPECT_THAT(summary, HasSubstr("\n| all, pooled | 0.9"));
+    EXPECT_THAT(summary, HasSubstr("|\n\n- no score: torus: there is no image of this name"));
     refusal(desk, "score drawn truths/cube.exr");
     refusal(desk, "score drawn/cube.png truths/cube.exr --polarity x");
 }

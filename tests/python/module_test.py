@@ -4,11 +4,14 @@ import ast
 import inspect
 import json
 import re
+import site
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from program import SIZE, SOURCE, read_gray, run, sentence
+from program import PROGRAM, SIZE, SOURCE, read_gray, run, sentence
 
 import inkbench
 import numpy as np
@@ -122,6 +125,18 @@ class Module(unittest.TestCase):
         self.assertEqual(set(np.unique(inkbench.truth(path, **SIZE).curves["line_class"])), {2})
         with self.assertRaisesRegex(inkbench.Error, "nothing.obj"):
             inkbench.truth(self.file("nothing.obj"))
+
+    def test_it_is_installed_where_python_looks_and_reads_models_there(self):
+        subprocess.run(["cmake", "--install", Path(PROGRAM).parent, "--prefix", self.file("usr")], check=True,
+                       capture_output=True)
+        module = next((self.folder / "usr").rglob("inkbench.cpython*"))
+        packages = str(module.parent.relative_to(self.folder / "usr"))
+        self.assertTrue(any(path.endswith(packages) for path in site.getsitepackages()), packages)
+        Path(self.file("t.obj")).write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+        code = "import inkbench; print(inkbench.__file__, inkbench.draw('ids', 't.obj', size='64x36').any())"
+        told = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": str(module.parent)}, cwd=self.folder,
+                              capture_output=True, text=True, check=True).stdout
+        self.assertEqual(told, f"{module} True\n")
 
     def test_lists_are_those_of_the_program(self):
         for name, of in (("methods", inkbench.methods()), ("scenes", inkbench.scenes())):

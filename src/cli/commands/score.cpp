@@ -38,6 +38,7 @@ struct ScoreArguments {
     ExperimentOptions options;
     std::string picture;
     std::string csv;
+    std::string markdown;
     std::optional<double> fail_under;
     bool is_inverted = false;
     bool no_thin = false;
@@ -103,6 +104,11 @@ draw::FilesScore score_against_model(const ScoreArguments& a,
                                a.request);
 }
 
+void write_tables(const ScoreArguments& a, const std::vector<draw::FolderScore>& scores) {
+    if (!a.csv.empty()) core::write_whole_file(a.csv, folder_csv(scores));
+    if (!a.markdown.empty()) core::write_whole_file(a.markdown, folder_table(scores, true));
+}
+
 void score_pair(const ScoreArguments& a, const CLI::App& command) {
     if (!a.picture.empty()) check_output_path(a.picture, {".png"});
     std::string truth_name = a.truth.filename().string();
@@ -110,15 +116,13 @@ void score_pair(const ScoreArguments& a, const CLI::App& command) {
                                         ? draw::score_files(a.prediction, a.truth, a.request)
                                         : score_against_model(a, command, truth_name);
     if (!a.picture.empty()) draw::write_drawing(draw::picture_of(scored), a.picture);
-    if (!a.csv.empty()) {
-        draw::FolderScore line{a.prediction.filename().string()};
-        if (scored.score.n_truth > 0) {
-            line.score = scored.score;
-        } else {
-            line.status = draw::kNoTruth;
-        }
-        core::write_whole_file(a.csv, folder_csv({line}));
+    draw::FolderScore line{a.prediction.filename().string()};
+    if (scored.score.n_truth > 0) {
+        line.score = scored.score;
+    } else {
+        line.status = draw::kNoTruth;
     }
+    write_tables(a, {line});
     fmt::print("{}",
                a.as_json ? score_json(scored) : score_table(a.prediction, truth_name, scored));
     std::fflush(stdout);
@@ -135,7 +139,7 @@ void score_all(const ScoreArguments& a) {
         draw::write_drawing(draw::picture_of(scored), path);
     };
     const auto scores = draw::score_folders(a.prediction, a.truth, a.request, draw_picture);
-    if (!a.csv.empty()) core::write_whole_file(a.csv, folder_csv(scores));
+    write_tables(a, scores);
     const auto unmatched = draw::files_without_truth(a.prediction, a.truth);
     fmt::print("{}", a.as_json ? folder_json(scores, unmatched) : folder_table(scores));
     std::fflush(stdout);
@@ -162,6 +166,7 @@ void run_score(ScoreArguments a, const CLI::App& command) {
             "--fail-under", fmt::format("{} is no value of F", *a.fail_under), "0..1");
     }
     if (!a.csv.empty()) check_output_path(a.csv, {".csv"});
+    if (!a.markdown.empty()) check_output_path(a.markdown, {".md"});
     const bool is_folder = fs::is_directory(a.prediction);
     if (a.truth.empty() == a.model.empty()) {
         throw core::Error("truth",
@@ -263,6 +268,8 @@ void add_score_command(CLI::App& app) {
                      "PNG of what is right, missing and false; of folders: a folder for them")
         ->type_name("FILE");
     command->add_option("--csv", a->csv, "CSV with a line per image")->type_name("FILE");
+    command->add_option("--markdown", a->markdown, "The same as a table of Markdown, a .md")
+        ->type_name("FILE");
     command
         ->add_option("--fail-under",
                      a->fail_under,
