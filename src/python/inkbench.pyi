@@ -15,30 +15,30 @@ class Error(ValueError):
 class TooLarge(MemoryError):
     """A view has too many lines to trace."""
 
-Point = Union[str, Sequence[float], NDArray[Any]]
-Size = Union[str, tuple[int, int]]
-Scene = Union[str, PathLike[str]]
-Settings = Mapping[str, Any]
+_Point = Union[str, Sequence[float], NDArray[Any]]
+_Size = Union[str, tuple[int, int]]
+_Scene = Union[str, PathLike[str]]
+_Settings = Mapping[str, Any]
 
 class Camera:
     def __init__(
         self,
-        eye: Point,
-        target: Optional[Point] = None,
-        up: Point = (0, 1, 0),
+        eye: _Point,
+        target: Optional[_Point] = None,
+        up: _Point = (0, 1, 0),
         fov_deg: float = 40.0,
-        size: Size = (1280, 720),
+        size: _Size = (1280, 720),
     ) -> None: ...
     @property
-    def eye(self) -> Point: ...
+    def eye(self) -> _Point: ...
     @property
-    def target(self) -> Optional[Point]: ...
+    def target(self) -> Optional[_Point]: ...
     @property
-    def up(self) -> Point: ...
+    def up(self) -> _Point: ...
     @property
     def fov_deg(self) -> float: ...
     @property
-    def size(self) -> Size: ...
+    def size(self) -> _Size: ...
 
 class Buffers:
     @property
@@ -111,14 +111,14 @@ class Score:
 def scenes() -> list[dict[str, Any]]: ...
 def methods() -> list[dict[str, Any]]: ...
 def truth(
-    scene: Scene,
+    scene: _Scene,
     view: Union[str, Camera] = "",
     *,
     crease_deg: float = 40,
     weld_epsilon: float = 0,
     intersections: str = "above_crease",
     threads: int = ...,
-    size: Size = "1280x720",
+    size: _Size = "1280x720",
     views: Union[int, str] = "",
     fit: str = "",
     margin: Optional[float] = None,
@@ -130,13 +130,13 @@ def truth(
 ) -> Truth: ...
 def draw(
     method: str,
-    scene: Scene,
+    scene: _Scene,
     view: Union[str, Camera] = "",
     *,
-    settings: Settings = {},
+    settings: _Settings = {},
     threads: int = 1,
     skips_off: Sequence[str] = (),
-    size: Size = "1280x720",
+    size: _Size = "1280x720",
     views: Union[int, str] = "",
     fit: str = "",
     margin: Optional[float] = None,
@@ -148,13 +148,13 @@ def draw(
 ) -> NDArray[np.uint8]: ...
 def layers(
     method: str,
-    scene: Scene,
+    scene: _Scene,
     view: Union[str, Camera] = "",
     *,
-    settings: Settings = {},
+    settings: _Settings = {},
     threads: int = 1,
     skips_off: Sequence[str] = (),
-    size: Size = "1280x720",
+    size: _Size = "1280x720",
     views: Union[int, str] = "",
     fit: str = "",
     margin: Optional[float] = None,
@@ -165,11 +165,11 @@ def layers(
     seams: str = "objects",
 ) -> dict[str, NDArray[Any]]: ...
 def buffers(
-    scene: Scene,
+    scene: _Scene,
     view: Union[str, Camera] = "",
     *,
     crease_deg: float = 40,
-    size: Size = "1280x720",
+    size: _Size = "1280x720",
     views: Union[int, str] = "",
     fit: str = "",
     margin: Optional[float] = None,
@@ -180,14 +180,14 @@ def buffers(
     seams: str = "objects",
 ) -> Buffers: ...
 def compare(
-    scenes: Union[Scene, Sequence[Scene]],
+    scenes: Union[_Scene, Sequence[_Scene]],
     functions: Mapping[str, Callable[[Buffers], NDArray[np.uint8]]] = {},
     cameras: Union[Camera, Sequence[Camera]] = (),
     *,
     methods: Union[str, Sequence[str]] = (),
     presets: Sequence[str] = (),
     entrants: Sequence[str] = (),
-    settings: Settings = {},
+    settings: _Settings = {},
     threads: int = 1,
     crease_deg: float = 40,
     weld_epsilon: float = 0,
@@ -199,7 +199,7 @@ def compare(
     full_scores: bool = True,
     skips_off: Sequence[str] = (),
     seed: int = 0,
-    size: Size = "1280x720",
+    size: _Size = "1280x720",
     views: Union[int, str] = "",
     fit: str = "",
     margin: Optional[float] = None,
