@@ -80,8 +80,10 @@ function showCard(target, rows, facts, {clientX, clientY}) {
 
 function hideCard() {
     if (!card.node) return;
+    const isHeld = card.node.contains(document.activeElement);
     card.node.hidden = true;
     card.isPinned = false;
+    if (isHeld && card.target.isConnected) card.target.focus({preventScroll: true});
     card.node.classList.remove('pinned');
     clearInterval(card.blinks);
     card.isTruthShown = false;
@@ -103,6 +105,7 @@ function pinCard() {
         }, 700);
     }
     fillCard();
+    card.node.querySelector('button').focus({preventScroll: true});
     const box = card.node.getBoundingClientRect();
     moveCard(box.left, box.top, 0);
 }
@@ -120,6 +123,18 @@ function cardWidth_px() {
 }
 
 function fillCard() {
+    redrawInPlace(card.node, drawCard);
+}
+
+/// "Worst of 24 views", or of how many of them there are images to know it by.
+function worstWords() {
+    const known = card.rows.filter(row => viewImages.has(runOf(row), row.scene, row.view, row.method)).length;
+    const all = count(card.rows.length, 'view');
+    if (known === 0) return `No image of its ${all}.`;
+    return known === card.rows.length ? `Worst of ${all}.` : `Worst of the ${known} of ${all} with an image.`;
+}
+
+function drawCard() {
     const row = card.rows[card.at];
     const many = card.rows.length > 1;
     card.canvas = element('canvas', {class: 'picture'});
@@ -129,9 +144,8 @@ function fillCard() {
         fillCard();
     };
     const open = () => {
-        state.set({scene: row.scene, view: row.view, right: row.method, run: runOf(row).index});
         hideCard();
-        document.getElementById('pictures').scrollIntoView();
+        openInViewer({scene: row.scene, view: row.view, right: row.method, run: runOf(row).index});
     };
     card.node.replaceChildren(
         element('div', {class: 'card-head'},
@@ -146,11 +160,11 @@ function fillCard() {
         ...card.facts.map(fact => element('p', {}, fact)),
         card.isPinned ? element('div', {class: 'tools'},
             many ? element('button', {type: 'button', onclick: step(-1)}, '‹ worse') : null,
-            many ? element('span', {class: 'note'}, `${card.at + 1} of ${card.rows.length} views`) : null,
+            many ? element('span', {class: 'note'}, `${card.at + 1} of ${count(card.rows.length, 'view')}`) : null,
             many ? element('button', {type: 'button', onclick: step(1)}, 'better ›') : null,
             element('button', {type: 'button', class: 'main', onclick: open}, 'Open in the viewer'))
             : element('p', {class: 'note'}, many
-                ? `Worst of ${card.rows.length} views. A click blinks the truth over it.`
+                ? `${worstWords()} A click blinks the truth over it.`
                 : 'A click blinks the truth over it.'));
     drawCardImage();
 }

@@ -119,19 +119,22 @@ function makeScale(values, range, {isLog = false, includesZero = false, least = 
 }
 
 /// Writes texts beside points so that none touches another, a point, or the frame: each takes the
-/// first place round its point that is free, with a thin line to it where that is far. `points` are
-/// {x, y, text, colour}, in px.
-function placeLabels(plot, points, width, height) {
-    const taken = points.map(p => ({x0: p.x - 6, y0: p.y - 6, x1: p.x + 6, y1: p.y + 6}));
+/// first place round its point that is free, with a thin line to it where that is far; one without a
+/// place is left out. `points` are {x, y, text, colour, isFirst}, in px: those that are first choose
+/// first. `bars` are [x1, y1, x2, y2], through which no text is written either.
+function placeLabels(plot, points, width, height, bars = []) {
+    const taken = [...points.map(p => ({x0: p.x - 6, y0: p.y - 6, x1: p.x + 6, y1: p.y + 6})),
+                   ...bars.map(([x1, y1, x2, y2]) => ({x0: Math.min(x1, x2) - 1, y0: Math.min(y1, y2) - 1,
+                                                       x1: Math.max(x1, x2) + 1, y1: Math.max(y1, y2) + 1}))];
     const layer = plot.append('g').attr('class', 'labels');
     const high = 13;
     const places = [];
-    for (const far of [8, 16, 28, 42, 58, 76, 96]) {
+    for (const far of [8, 16, 28, 42, 58, 76, 96].filter(one => one < Math.max(20, width / 8))) {
         for (const [dx, dy] of [[1, 0], [-1, 0], [0, -1], [0, 1], [0.75, -0.75], [0.75, 0.75], [-0.75, -0.75], [-0.75, 0.75]])
             places.push([dx * far, dy * far, far]);
     }
     const touches = (a, b) => a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
-    for (const point of [...points].sort((a, b) => a.x - b.x || a.y - b.y)) {
+    for (const point of [...points].sort((a, b) => Boolean(b.isFirst) - Boolean(a.isFirst) || a.x - b.x || a.y - b.y)) {
         const long = point.text.length * 6.6 + 2;
         const boxAt = ([dx, dy]) => {
             const x0 = dx > 0 ? point.x + dx : dx < 0 ? point.x + dx - long : point.x - long / 2;
@@ -142,7 +145,8 @@ function placeLabels(plot, points, width, height) {
         const place = places.find(p => {
             const box = boxAt(p);
             return isInside(box) && !taken.some(other => touches(box, other));
-        }) || places[0];
+        });
+        if (!place) continue;
         const box = boxAt(place);
         taken.push(box);
         if (place[2] > 16) {
@@ -169,9 +173,9 @@ function placeEndLabels(plot, ends, x, height) {
     }
 }
 
-/// A colour scale for errors: nothing at 0, red at `worst`.
+/// A colour scale for errors: nothing at 0, red at `worst`; hatched where there is no score.
 function errorShade(share, worst) {
-    if (!isNumber(share)) return null;
+    if (!isNumber(share)) return 'background: var(--hatch)';
     const part = Math.min(1, Math.max(0, share / worst)) ** 0.6;
     return `background: color-mix(in srgb, var(--bad) ${(60 * part).toFixed(0)}%, var(--paper))`;
 }

@@ -66,24 +66,29 @@ function chooser(label, choices, chosen, onChoose, isLabelShown = true) {
 /// as far, and the focus on the control that they work.
 function redrawInPlace(root, draw) {
     const boxes = () => [...root.querySelectorAll('.scroll, .side, .picker-list')];
-    const controls = () => [...root.querySelectorAll('button, select, input, summary')];
-    // Beside the name a list shows what is chosen, and a heading how it sorts.
+    // Beside the name a list shows what is chosen, a heading how it sorts, a picture its number.
     const nameOf = node => [node.tagName, node.closest('details')?.dataset.name, node.id, node.type === 'checkbox' && node.value,
+        node.closest('figure')?.id, node.dataset.method,
         node.getAttribute('aria-label') || (node.tagName === 'SUMMARY' ? '' : node.textContent.replace(/ [▾▴]$/, ''))].join();
+    const named = name => [...root.querySelectorAll('button, select, input, summary, [tabindex]')].filter(node => nameOf(node) === name);
     const open = [...root.querySelectorAll('details[data-name][open]')].map(node => node.dataset.name);
     const scrolled = boxes().map(box => [box.scrollLeft, box.scrollTop]);
-    const held = controls().find(node => node === document.activeElement);
+    const held = root.contains(document.activeElement) ? document.activeElement : null;
     const name = held && nameOf(held);
+    const place = held && named(name).indexOf(held);
     draw();
     for (const node of root.querySelectorAll('details[data-name]')) if (open.includes(node.dataset.name)) node.open = true;
     boxes().slice(0, scrolled.length).forEach((box, i) => [box.scrollLeft, box.scrollTop] = scrolled[i]);
-    if (held) controls().find(node => nameOf(node) === name)?.focus({preventScroll: true});
+    if (held) (named(name)[place] || named(name)[0])?.focus({preventScroll: true});
 }
 
-function warningBox(title, text, items) {
-    return element('div', {class: 'warning', role: 'alert'},
-        element('strong', {}, title), ' ', text,
-        items.length ? element('ul', {}, items.map(item => element('li', {}, item))) : null);
+/// What the reader must know before a number is read; more of it unfolds.
+function warningBox(title, text, items, isOpen = false) {
+    const words = [element('strong', {}, title), ' ', text];
+    return element('div', {class: 'warning', role: 'note'}, items.length
+        ? element('details', {'data-name': title, open: isOpen}, element('summary', {}, words),
+            element('ul', {}, items.map(item => element('li', {}, item))))
+        : words);
 }
 
 /// A table of terms and what they mean.

@@ -11,6 +11,9 @@ state.define('budget', PACKED.runs[0].record.budget_ms);
 state.define('margin', PACKED.runs[0].record.f_margin);
 state.define('theme', 'auto');
 
+/// What a reader filters by, and Reset gives back.
+const FILTERS = ['families', 'methods', 'scenes', 'split', 'measure', 'budget', 'margin'];
+
 /// What the page shows now: the rows that the filters leave, and what they say together.
 function currentView() {
     const run = runs[state.get('run')] || runs[0];
@@ -81,18 +84,18 @@ function splitTitle(split) {
 }
 
 function isFiltered() {
-    return ['families', 'methods', 'scenes', 'split', 'measure', 'budget', 'margin'].some(name => !state.isDefault(name));
+    return FILTERS.some(name => !state.isDefault(name));
 }
 
-function drawFilters(root) {
-    const run = runs[state.get('run')] || runs[0];
+function drawFilters(root, view) {
+    const {run} = view;
     const methods = [...run.methods.values()].filter(info => !info.isBaseline);
     const scenes = distinct(run.table('rows.csv').lines, row => row.scene);
     const families = distinct(methods, info => info.family);
     const classes = RECALL_GROUPS.filter(name => run.rows.some(row => row[`truth_px_${name}`] > 0));
     const splits = distinct(run.rows, row => row.split);
     const isOpen = root.querySelector('details.filters')?.open ?? innerWidth > 720;
-    const times = ascending(run.rows.map(row => row.draw_ns)).map(ns => ns * 1e-6);
+    const steps = budgetSteps(view.contestants);
 
     const controls = element('div', {class: 'filter-row'},
         runs.length > 1 ? chooser('Run', runs.map((r, i) => [i, r.label]), run.index,
@@ -106,9 +109,10 @@ function drawFilters(root) {
             ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],
             ...classes.map(name => [name, `recall: ${groupTitle(name)}`])], state.get('measure'),
             measure => state.set({measure})) : null,
-        times.length ? budgetField(times) : null,
-        isFiltered() ? element('button', {type: 'button', id: 'reset', onclick: () => state.reset()}, 'Reset') : null,
-        chooser('Theme', [['auto', 'as the system'], ['light', 'light'], ['dark', 'dark']], state.get('theme'),
+        steps.length ? budgetField(steps) : null,
+        run.rows.length ? marginField() : null,
+        element('button', {type: 'button', id: 'reset', 'aria-disabled': isFiltered() ? null : 'true', onclick: () => state.reset(FILTERS)}, 'Reset'),
+        chooser('Theme', [['auto', 'system'], ['light', 'light'], ['dark', 'dark']], state.get('theme'),
             theme => state.set({theme})));
     root.replaceChildren(element('details', {class: 'filters', open: isOpen},
         element('summary', {}, isFiltered() ? 'Filters (changed)' : 'Filters'), controls));
@@ -148,21 +152,41 @@ function picker(title, name, all) {
             }), ' ', entry))));
 }
 
+/// The times that a budget may have: each method's own, a little up to three digits, so that it stays
+/// within; a step below all of them, where none is fast enough; 0, no budget. {ms, text} each.
+function budgetSteps(contestants) {
+    const timed = sortLines(contestants.filter(s => s.ms > 0), {value: s => s.ms}, false);
+    if (!timed.length) return [];
+    const digits = ms => 10 ** (Math.floor(Math.log10(ms)) - 2);
+    const up = ms => Number((Math.ceil(ms / digits(ms)) * digits(ms)).toPrecision(3));
+    const first = timed[0];
+    return [{ms: Number((up(first.ms) - 2 * digits(first.ms)).toPrecision(3)),
+             text: `none is faster than ${formatMs(first.ms)} ms (${first.method})`},
+            ...[...groupBy(timed, s => up(s.ms))].map(([ms, same]) => ({ms, text: `${formatMs(ms)} ms (${same.map(s => s.method).join(', ')})`})),
+            {ms: 0, text: 'none'}];
+}
+
 /// The time budget: methods that take longer are greyed, and the headline names the best within it.
-function budgetField(times) {
-    const [low, high] = [d3.min(times), d3.max(times)];
+function budgetField(steps) {
     const budget = state.get('budget');
-    const span = Math.log(high / low) || 1;
-    const place = budget ? (1000 * Math.log(budget / low)) / span : 1000;
-    const words = element('b', {}, budget ? `${formatMs(budget)} ms` : 'none');
-    const valueAt = at => (at >= 1000 ? 0 : Number((low * Math.exp((span * at) / 1000)).toPrecision(3)));
-    return element('label', {class: 'field'}, element('span', {}, 'Time budget ', words),
+    const last = steps.length - 1;
+    const at = budget ? Math.max(0, d3.bisector(step => step.ms || Infinity).right(steps, budget) - 1) : last;
+    const isStep = steps[at].ms === budget || at === 0;
+    const words = element('b', {}, isStep ? steps[at].text : `${formatMs(budget)} ms`);
+    return element('label', {class: 'field'}, element('span', {}, 'Time budget'),
         element('input', {
-            type: 'range', id: 'budget', min: 0, max: 1000, value: place, 'aria-label': 'Time budget in ms',
-            oninput: event => {
-                const value = valueAt(Number(event.target.value));
-                words.textContent = value ? `${formatMs(value)} ms` : 'none';
-            },
-            onchange: event => state.set({budget: valueAt(Number(event.target.value))}),
+            type: 'range', id: 'budget', min: 0, max: last, value: at, 'aria-label': 'Time budget', 'aria-valuetext': words.textContent,
+            oninput: event => { words.textContent = steps[event.target.value].text; },
+            onchange: event => state.set({budget: steps[event.target.value].ms}),
+        }), words);
+}
+
+/// How far below the best an answer may lie.
+function marginField() {
+    return element('label', {class: 'field', title: 'The answer is the cheapest method that lies at most so far below the best'},
+        element('span', {}, 'Margin'),
+        element('input', {
+            type: 'number', id: 'margin', min: 0, max: 1, step: 'any', value: state.get('margin'), 'aria-label': 'Margin below the best',
+            onchange: ({target}) => (target.reportValidity() && target.value !== '' ? state.set({margin: Number(target.value)}) : null),
         }));
 }

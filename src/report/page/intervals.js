@@ -56,33 +56,32 @@ function drawingsOf(count, seed) {
     return drawingsMade.get(key);
 }
 
-/// Value and error of a difference of two sides to first order, where scene i counts `times[i]`, into
-/// `out`. A side is {over, under}, a number a scene, and its value the ratio of the sums; without `b` it
-/// is the value of `a` itself. This is where a page with many methods spends its time: no arrays here.
-function estimate(a, b, times, out) {
-    let overA = 0;
-    let underA = 0;
-    let overB = 0;
-    let underB = 0;
-    const n = times.length;
-    for (let i = 0; i < n; ++i) {
-        overA += times[i] * a.over[i];
-        underA += times[i] * a.under[i];
-        if (!b) continue;
-        overB += times[i] * b.over[i];
-        underB += times[i] * b.under[i];
+/// What a drawing makes of a side, a number `over` and one `under` a scene: its value, the ratio of the
+/// sums, and into `rest` what each scene adds to its error, to first order. Without a drawing all scenes
+/// count once.
+function weigh(side, drawing) {
+    const {over, under, at, times, rest} = side;
+    let overAll = 0;
+    let underAll = 0;
+    for (let i = 0; i < over.length; ++i) {
+        times[i] = drawing ? drawing[at[i]] : 1;
+        overAll += times[i] * over[i];
+        underAll += times[i] * under[i];
     }
-    const valueA = underA > 0 ? overA / underA : 1;
-    const valueB = !b ? 0 : underB > 0 ? overB / underB : 1;
-    const perA = underA > 0 ? 1 / underA : 0;
-    const perB = underB > 0 ? 1 / underB : 0;
+    side.value = underAll > 0 ? overAll / underAll : 1;
+    const per = underAll > 0 ? 1 / underAll : 0;
+    for (let i = 0; i < over.length; ++i) rest[i] = (over[i] - side.value * under[i]) * per;
+}
+
+/// The error of a difference of two weighed sides. This is where a page with many methods spends its time.
+function errorOf(a, b) {
+    const n = a.rest.length;
     let squares = 0;
     for (let i = 0; i < n; ++i) {
-        const one = (a.over[i] - valueA * a.under[i]) * perA - (b ? (b.over[i] - valueB * b.under[i]) * perB : 0);
-        squares += times[i] * one * one;
+        const one = a.rest[i] - b.rest[i];
+        squares += a.times[i] * one * one;
     }
-    out.value = valueA - valueB;
-    out.error = Math.sqrt(squares * n / (n - 1));
+    return Math.sqrt(squares * n / (n - 1));
 }
 
 /// The quantile of Student's distribution at which the normal one has `z`: the expansion 26.7.5 of
@@ -95,54 +94,63 @@ function students(z, freedom) {
     return z * (1 + (first + (second + third / freedom) / freedom) / freedom);
 }
 
-/// A pair as it was measured, and how many errors away each drawing has it; raises the largest
-/// distance of each drawing.
-function distancesOf(pair, drawings, largest) {
-    const count = pair.at.length;
-    const times = new Float64Array(count).fill(1);
-    const drawn = {value: 0, error: 0};
-    estimate(pair.a, pair.b, times, drawn);
-    const {value, error} = drawn;
-    if (!(error > NO_ERROR)) return {value, error, own: null};
-    const own = new Float64Array(RESAMPLES);
+/// Pairs {a, b} as they were measured, and how many errors away each drawing has them; `largest` are the
+/// largest distances of each drawing. A side that stands in many pairs is weighed once a drawing.
+function distancesOf(pairs, drawings) {
+    const sides = [...new Set(pairs.flatMap(pair => [pair.a, pair.b]))];
+    for (const side of sides) weigh(side, null);
+    const measured = pairs.map(({a, b}) => ({a, b, value: a.value - b.value, error: errorOf(a, b), own: null}));
+    const moving = measured.filter(pair => pair.error > NO_ERROR);
+    for (const pair of moving) pair.own = new Float64Array(RESAMPLES);
+    const largest = new Float64Array(RESAMPLES);
     for (let d = 0; d < RESAMPLES; ++d) {
-        for (let i = 0; i < count; ++i) times[i] = drawings[d][pair.at[i]];
-        estimate(pair.a, pair.b, times, drawn);
-        const away = drawn.value - value;
-        own[d] = away / Math.max(drawn.error, LEAST_OWN * error);
-        largest[d] = Math.max(largest[d], Math.abs(away) / Math.max(drawn.error, LEAST_OF_ALL * error));
+        for (const side of sides) weigh(side, drawings[d]);
+        for (const {a, b, value, error, own} of moving) {
+            const away = a.value - b.value - value;
+            const drawn = errorOf(a, b);
+            own[d] = away / Math.max(drawn, LEAST_OWN * error);
+            largest[d] = Math.max(largest[d], Math.abs(away) / Math.max(drawn, LEAST_OF_ALL * error));
+        }
     }
-    return {value, error, own: own.sort()};
+    return {measured, largest: largest.sort()};
 }
 
-/// 95 % intervals of pairs {a, b, at}, where `at` says which of all scenes: each by itself, and such
-/// as are to hold all together; null with fewer than six scenes. statistics/simultaneous.h says how.
+/// 95 % intervals of pairs {a, b} of sides, as a function of a pair; where it has no `b` the interval is
+/// that of `a` itself. Each has one by itself and one that is to hold together with all; null with fewer
+/// than six scenes. statistics/simultaneous.h says how.
 function pairedIntervals(pairs, sceneCount, seed) {
     const none = {range: null, rangeOfAll: null};
-    if (sceneCount < FEWEST_SCENES) return pairs.map(() => none);
-    const drawings = drawingsOf(sceneCount, seed);
-    const largest = new Float64Array(RESAMPLES);
-    const isKnown = pair => pair.at.length >= FEWEST_SCENES;
-    const distances = pairs.map(pair => (isKnown(pair) ? distancesOf(pair, drawings, largest) : null));
-    const reach = quantile(largest.sort(), 0.95);
-    return pairs.map((pair, p) => {
-        if (!isKnown(pair)) return none;
-        const {value, error, own} = distances[p];
+    const known = pairs.filter(pair => pair.a.over.length >= FEWEST_SCENES);
+    if (sceneCount < FEWEST_SCENES || !known.length) return () => none;
+    const {measured, largest} = distancesOf(known.map(({a, b}) => ({a, b: b || nothingBeside(a)})), drawingsOf(sceneCount, seed));
+    const reach = quantile(largest, 0.95);
+    const distances = new Map(known.map((pair, p) => [pair, measured[p]]));
+    return pair => {
+        if (!distances.has(pair)) return none;
+        const {value, error, own} = distances.get(pair);
         const around = (below, above) => ({
             low: Math.max(pair.b ? -1 : 0, value - below * error),
             high: Math.min(1, value + above * error),
         });
-        const half = own ? students(reach, pair.at.length - 1) : 0;
+        own?.sort();
+        const half = own ? students(reach, pair.a.over.length - 1) : 0;
         return {
             range: own ? around(quantile(own, 0.975), -quantile(own, 0.025)) : around(0, 0),
             rangeOfAll: around(half, half),
         };
-    });
+    };
 }
 
-/// Sums of a measure by scene as a side.
-function sideOf(sums) {
-    return {over: Float64Array.from(sums, s => s[0]), under: Float64Array.from(sums, s => s[1])};
+/// A side whose value is 0 however scenes are drawn.
+function nothingBeside({over, at}) {
+    return sideOf(over.length, () => [0, 1], at);
+}
+
+/// A side of so many scenes: `sumsOf` gives both sums of one, `at` says which of all scenes they are.
+function sideOf(count, sumsOf, at) {
+    const sums = Array.from({length: count}, (_, i) => sumsOf(i));
+    return {over: Float64Array.from(sums, s => s[0]), under: Float64Array.from(sums, s => s[1]), at,
+            value: 0, times: new Float64Array(count), rest: new Float64Array(count)};
 }
 
 /// The 95 % interval of the pooled measure: scenes are drawn anew, each with all its views, for views
@@ -151,20 +159,37 @@ function pooledInterval(rows, measure) {
     const sums = [...groupBy(rows.filter(isScored), row => row.scene).values()].map(
         ofScene => summed(ofScene, measure)).filter(sum => isF(measure) || sum[1] > 0);
     if (sums.length < FEWEST_SCENES) return null;
-    const pair = {a: sideOf(sums), b: null, at: sums.map((_, i) => i)};
-    return pairedIntervals([pair], sums.length, rows[0].seed)[0].range;
+    const a = sideOf(sums.length, i => sums[i], d3.range(sums.length));
+    const pair = {a, b: null};
+    return pairedIntervals([pair], sums.length, rows[0].seed)(pair).range;
 }
 
-/// Rows `a` and `b` over the views that both have, summed by scene, scenes in alphabetical order;
-/// null without such a view.
-function pairUp(a, b, measure) {
-    const keyOf = row => `${row.scene}\n${row.view}`;
-    const ofB = new Map(b.filter(isScored).map(row => [keyOf(row), row]));
-    const pairs = a.filter(row => isScored(row) && ofB.has(keyOf(row)));
-    if (pairs.length === 0) return null;
-    const sums = [...groupBy(pairs, row => row.scene)].sort(([s], [t]) => (s < t ? -1 : 1)).map(
-        ([scene, rows]) => [scene, summed(rows, measure), summed(rows.map(row => ofB.get(keyOf(row))), measure)]);
-    return {names: sums.map(s => s[0]), views: pairs.length, a: sideOf(sums.map(s => s[1])), b: sideOf(sums.map(s => s[2]))};
+/// Scored rows as a side over `scenes`, where they stand in alphabetical order; `key` says of which views.
+function scenesOf(rows, measure, scenes) {
+    const scored = rows.filter(isScored);
+    const names = scenes.filter(name => scored.some(row => row.scene === name));
+    const ofScene = groupBy(scored, row => row.scene);
+    return {
+        names, views: scored.length, key: scored.map(viewKey).sort().join(),
+        side: sideOf(names.length, i => summed(ofScene.get(names[i]), measure), names.map(name => scenes.indexOf(name))),
+    };
+}
+
+function viewKey(row) {
+    return `${row.scene}\n${row.view}`;
+}
+
+/// The names of the scenes of rows, in alphabetical order.
+function sceneNames(rows) {
+    return distinct(rows.filter(isScored), row => row.scene).sort();
+}
+
+/// Rows `a` and `b` over the views that both have, as a pair of sides; null without such a view.
+function pairUp(a, b, measure, scenes) {
+    const [ofA, ofB] = [a, b].map(rows => new Set(rows.filter(isScored).map(viewKey)));
+    const first = scenesOf(a.filter(row => ofB.has(viewKey(row))), measure, scenes);
+    const second = scenesOf(b.filter(row => ofA.has(viewKey(row))), measure, scenes);
+    return first.views ? {names: first.names, views: first.views, a: first.side, b: second.side} : null;
 }
 
 /// By how much a side of a pair exceeds the other, on how many scenes; without intervals.
@@ -183,11 +208,11 @@ function differenceOf({names, views, a, b}, measure) {
 /// By how much the measure of rows `a` exceeds that of rows `b`, over the views that both have, with
 /// its 95 % interval; null if they have none in common.
 function pairedDifference(a, b, measure) {
-    const pair = pairUp(a, b, measure);
+    const common = sceneNames(a).filter(name => sceneNames(b).includes(name));
+    const pair = pairUp(a, b, measure, common);
     const difference = pair && differenceOf(pair, measure);
     if (!difference) return null;
-    const [{range}] = pairedIntervals([{...pair, at: pair.names.map((_, i) => i)}], pair.names.length, a[0].seed);
-    return {...difference, range};
+    return {...difference, range: pairedIntervals([pair], pair.names.length, a[0].seed)(pair).range};
 }
 
 /// The same of b less a.
@@ -200,19 +225,23 @@ function turnedRound(difference) {
 /// The differences of all pairs of methods, as a function of two names; null for two without a view
 /// in common. `summaries` are of methods with a value, the best first.
 function allDifferences(summaries, measure) {
-    const pairs = summaries.flatMap((a, i) => summaries.slice(i + 1).map(b => {
-        const pair = pairUp(a.rows, b.rows, measure);
+    const views = groupBy(summaries.flatMap(s => s.rows.filter(isScored)), viewKey);
+    const scenes = sceneNames([...views.values()].filter(rows => rows.length > 1).map(([row]) => row));
+    const own = new Map(summaries.map(s => [s, scenesOf(s.rows, measure, scenes)]));
+    // Where methods have the same views, as most have, one side serves all pairs of a method.
+    const both = (a, b) => (own.get(a).key === own.get(b).key
+        ? {...own.get(a), a: own.get(a).side, b: own.get(b).side} : pairUp(a.rows, b.rows, measure, scenes));
+    const pairs = new Map(summaries.flatMap((a, i) => summaries.slice(i + 1).map(b => [`${a.method}\n${b.method}`, both(a, b)]))
+        .filter(([, pair]) => pair && differenceOf(pair, measure)));
+    const intervals = pairedIntervals([...pairs.values()], scenes.length, summaries[0]?.rows[0].seed);
+    const made = pair => {
         const difference = pair && differenceOf(pair, measure);
-        return difference && {...pair, key: `${a.method}\n${b.method}`, difference};
-    })).filter(Boolean);
-    const scenes = [...new Set(pairs.flatMap(pair => pair.names))].sort();
-    const place = new Map(scenes.map((name, i) => [name, i]));
-    const ranges = pairs.length ? pairedIntervals(
-        pairs.map(pair => ({...pair, at: pair.names.map(name => place.get(name))})), scenes.length, summaries[0].rows[0].seed) : [];
-    const made = new Map(pairs.map((pair, i) => [pair.key, {...pair.difference, ...ranges[i]}]));
+        return difference && {...difference, ...intervals(pair)};
+    };
     return (a, b) => {
-        const turned = made.get(`${b}\n${a}`);
-        return made.get(`${a}\n${b}`) ?? (turned ? turnedRound(turned) : null);
+        const pair = pairs.get(`${a}\n${b}`);
+        const turned = pair ? null : made(pairs.get(`${b}\n${a}`));
+        return turned ? turnedRound(turned) : made(pair) ?? null;
     };
 }
 

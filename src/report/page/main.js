@@ -1,7 +1,8 @@
 // Puts the page together. Sections stand in the order in which their files were read; each draws
 // what the filters leave when it comes near the window, and again when a choice changes.
 
-const FILTERS = ['run', 'families', 'methods', 'scenes', 'split', 'measure', 'budget', 'margin'];
+/// Main parts that have a link of their own; with those to the rest and to the words there are at most eight.
+const MOST_LINKS = 6;
 
 function drawSection(section) {
     section.isStale = false;
@@ -21,7 +22,7 @@ function cachedView() {
     return viewCache;
 }
 
-function buildSections(main, nav) {
+function buildSections(main) {
     const view = cachedView();
     const watcher = new IntersectionObserver(entries => {
         for (const entry of entries) {
@@ -30,33 +31,28 @@ function buildSections(main, nav) {
             if (section.isNear && section.isStale && isOpen(section)) drawSection(section);
         }
     }, {rootMargin: '600px'});
+    // A run of one study alone has no main part: all it has is what the reader came for.
+    const isAlone = !runs.some(run => run.rows.length);
     for (const section of sections) {
+        section.isAlone = isAlone;
         section.body = element('div', {class: 'section-body'});
         const intro = typeof section.intro === 'function' ? section.intro(view) : section.intro;
         const words = intro ? element('p', {class: 'soft'}, intro) : null;
-        section.node = element('section', {id: section.id}, section.isFolded
-            ? foldedPart(section, words)
-            : [element('h2', {}, section.title), words, section.body]);
+        section.node = element('section', {id: section.id}, section.isMain
+            ? [element('h2', {}, section.title), words, section.body].filter(Boolean) : foldedPart(section, words));
         section.isStale = true;
-        section.node.hidden = Boolean(section.isThere && !section.isThere(view));
         main.append(section.node);
         watcher.observe(section.node);
-        nav.append(element('a', {href: `#${section.id}`, 'data-section': section.id, onclick: event => {
-            event.preventDefault();
-            if (section.fold) section.fold.open = true;
-            section.node.scrollIntoView({behavior: 'smooth'});
-        }}, section.title));
     }
-    showLinks();
+    showParts();
 }
 
-/// A part that few need starts closed; which ones are open stands in the address.
+/// Which of the folded parts are open stands in the address.
 function foldedPart(section, words) {
-    // A run of one study alone has no part before it: it is what the reader came for.
-    section.isAlone = !runs.some(run => run.rows.length);
     section.fold = element('details', {class: 'fold', open: section.isAlone || state.get('open').includes(section.id)},
         element('summary', {}, element('h2', {}, section.title)), words, section.body);
     section.fold.addEventListener('toggle', () => {
+        if (isPrinting) return;
         const others = state.get('open').filter(id => id !== section.id);
         if (!section.isAlone) state.set({open: section.fold.open ? [...others, section.id] : others});
         if (section.fold.open && section.isStale) drawSection(section);
@@ -73,26 +69,38 @@ function isOpen(section) {
     return !section.fold || section.fold.open;
 }
 
-function showLinks() {
+/// Goes to a part as a link does.
+function goTo(section) {
+    if (section.fold) section.fold.open = true;
+    section.node.scrollIntoView({behavior: 'smooth'});
+}
+
+/// Hides the parts that have nothing to say, and links the others.
+function showParts() {
     const view = cachedView();
-    for (const section of sections) {
-        const isThere = !section.isThere || section.isThere(view);
-        section.node.hidden = !isThere;
-        const link = document.querySelector(`nav a[data-section="${section.id}"]`);
-        link.hidden = !isThere;
-    }
+    const there = sections.filter(section => !section.isThere || section.isThere(view));
+    for (const section of sections) section.node.hidden = !there.includes(section);
+    const words = sections.find(section => section.id === 'about');
+    const main = there.filter(section => section !== words && (section.isMain || section.isAlone)).slice(0, MOST_LINKS);
+    const rest = there.find(section => section !== words && !main.includes(section));
+    const link = (section, text) => element('a', {href: `#${section.id}`, onclick: event => {
+        event.preventDefault();
+        goTo(section);
+    }}, text);
+    document.querySelector('nav .wrap').replaceChildren(...main.map(section => link(section, section.title)),
+        ...(rest ? [link(rest, 'In detail')] : []), link(words, words.title));
 }
 
 function redraw(changed) {
-    const isFilter = changed.some(name => FILTERS.includes(name));
+    const isFilter = changed.some(name => name === 'run' || FILTERS.includes(name));
     if (changed.includes('theme')) applyTheme();
     if (isFilter) {
         viewCache = null;
-        showLinks();
-        drawHeader(document.querySelector('header .wrap'), cachedView());
+        showParts();
+        drawHead();
     }
     const filters = document.getElementById('filters');
-    redrawInPlace(filters, () => drawFilters(filters));
+    redrawInPlace(filters, () => drawFilters(filters, cachedView()));
     for (const section of sections) {
         const uses = section.uses || [];
         const isHit = isFilter || changed.some(name => uses.includes(name) || uses.some(u => u.endsWith('*') && name.startsWith(u.slice(0, -1))));
@@ -100,6 +108,11 @@ function redraw(changed) {
         section.isStale = true;
         if (section.isNear && isOpen(section)) drawSection(section);
     }
+}
+
+function drawHead() {
+    const head = document.querySelector('header .wrap');
+    redrawInPlace(head, () => drawHeader(head, cachedView()));
 }
 
 function applyTheme() {
@@ -114,16 +127,18 @@ function start() {
     window.columnDocs = PACKED.columns;
     applyTheme();
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', applyTheme);
-    drawHeader(document.querySelector('header .wrap'), cachedView());
-    drawFilters(document.getElementById('filters'));
-    buildSections(document.querySelector('main'), document.querySelector('nav .wrap'));
+    drawHead();
+    drawFilters(document.getElementById('filters'), cachedView());
+    buildSections(document.querySelector('main'));
     state.onChange(redraw);
     window.addEventListener('hashchange', () => {
         state.readAddress();
         openFolds();
     });
-    document.querySelector('footer').textContent =
-        `Made by inkbench ${PACKED.version}. This page needs no other file and no network.`;
+    window.addEventListener('beforeprint', openForPaper);
+    window.addEventListener('afterprint', closeAfterPaper);
+    document.querySelector('footer').append(`Made by inkbench ${PACKED.version}. This page needs no other file and no network. `,
+        element('button', {type: 'button', class: 'quiet', onclick: printAll}, 'Print with all pictures'));
     document.documentElement.dataset.ready = '1';
 }
 

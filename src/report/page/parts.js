@@ -8,9 +8,9 @@ let runs = [];
 let viewImages = null;
 const sections = [];
 
-/// Declares a part of the page: {id, title, intro, isThere(view), draw(root, view), uses, isFolded}.
+/// Declares a part of the page: {id, title, intro, isThere(view), draw(root, view), uses, isMain}.
 /// `uses` names the choices, beside the filters, for which it must be drawn again ("time.*": all
-/// that begin so). A folded part starts closed.
+/// that begin so). All parts but the main ones start folded.
 function addSection(section) {
     sections.push(section);
 }

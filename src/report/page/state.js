@@ -54,8 +54,9 @@ class State {
         for (const listener of this.listeners) listener(Object.keys(changes));
     }
 
-    reset() {
-        this.set({...this.defaults});
+    /// Gives choices their defaults again; all of them unless `names` says which.
+    reset(names = Object.keys(this.defaults)) {
+        this.set(Object.fromEntries(names.map(name => [name, this.defaults[name]])));
     }
 
     onChange(listener) {

@@ -1,5 +1,8 @@
 // Tables that sort, answer the pointer, and leave as CSV.
 
+/// Names of the tables of which the reader asked for all lines.
+const wholeTables = new Set();
+
 /// A table of `lines`. A column is {key, title, value(line), text(line), help, align, group, node(line),
 /// best: 'high' | 'low', css(line), rows(line)}: `value` is what is sorted and saved, `text` what is shown,
 /// `node` an element in its place; `rows` gives the rows whose images the card shows when the
@@ -16,7 +19,7 @@ function makeTable(parent, {name, columns, lines, lineClass, order = '', caption
     const head = element('tr', {}, columns.map(column => headCell(name, column, key, direction)));
     const groups = groupHeads(columns);
     const body = element('tbody', {});
-    const limit = most && shown.length > most ? most : shown.length;
+    const limit = most && shown.length > most && !wholeTables.has(name) ? most : shown.length;
     const append = (from, to) => {
         for (const line of shown.slice(from, to)) {
             body.append(element('tr', {class: lineClass ? lineClass(line) : null},
@@ -32,8 +35,10 @@ function makeTable(parent, {name, columns, lines, lineClass, order = '', caption
     parent.append(scroller);
     const more = limit < shown.length
         ? element('button', {type: 'button', onclick: event => {
+            wholeTables.add(name);
             append(limit, shown.length);
             event.target.remove();
+            scroller.focus({preventScroll: true});
         }}, `Show all ${shown.length} lines`) : null;
     parent.append(element('div', {class: 'tools'}, more,
         element('button', {type: 'button', class: 'quiet', onclick: () => saveFile(

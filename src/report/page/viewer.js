@@ -9,15 +9,14 @@ state.define('right', '');
 state.define('rightRun', -1);
 state.define('look', 'errors');
 
-/// What stands in the viewer: the reader's choice where there are images of it, else the first view
-/// that has any and the best method.
+/// What stands in the viewer: the reader's choice where there are images of it, else the view that tells
+/// the leaders apart and the best method.
 function viewerChoice(shown) {
     const run = shown.run;
     const views = viewsWithImages(shown);
     if (views.length === 0) return null;
-    const asked = views.find(v => v.scene === state.get('scene') && v.view === state.get('view')) ||
-        views.find(v => v.scene === state.get('scene'));
-    const {scene, view} = asked || views[0];
+    const ofScene = views.filter(v => v.scene === state.get('scene'));
+    const {scene, view} = ofScene.find(v => v.view === state.get('view')) || tellingView(ofScene.length ? ofScene : views, shown);
     const others = runs.filter(one => viewImages.entry(one, scene, view));
     const other = others.includes(runs[state.get('rightRun')]) ? runs[state.get('rightRun')] : run;
     const names = [...other.methods.keys()].filter(name => viewImages.has(other, scene, view, name));
@@ -25,6 +24,29 @@ function viewerChoice(shown) {
     const right = names.includes(state.get('right')) ? state.get('right') : best || 'truth';
     const left = viewImages.has(run, scene, view, state.get('left')) ? state.get('left') : 'truth';
     return {run, other, others, scene, view, left, right, views};
+}
+
+/// The answer's method, the most exact one, and the next.
+const LEADERS = 4;
+
+/// The view on which the leaders' F differ most; of equal ones that with most errors.
+function tellingView(views, shown) {
+    const leaders = distinct([shown.best, shown.answer.mostExact, ...shown.ranked].filter(Boolean), s => s.method).slice(0, LEADERS);
+    const told = views.map(view => {
+        const own = view.rows.filter(row => leaders.includes(row.method) && isScored(row)).map(row => row.f_2px);
+        const [low, high] = own.length ? d3.extent(own) : [1, 1];
+        return {view, apart: high - low, wrong: 1 - low};
+    });
+    return told.reduce((a, b) => (b.apart > a.apart || (b.apart === a.apart && b.wrong > a.wrong) ? b : a)).view;
+}
+
+/// Shows what the reader asks for elsewhere, and goes there.
+function openInViewer(changes) {
+    state.set(changes);
+    const section = sections.find(s => s.id === 'pictures');
+    if (section.isStale) drawSection(section);
+    section.node.scrollIntoView();
+    section.body.querySelector('.stage')?.focus({preventScroll: true});
 }
 
 function viewsWithImages(shown) {
@@ -166,6 +188,7 @@ async function bindStage(canvas, slider, choice) {
         draw();
     };
     const setCut = cut => {
+        if (stopBlinking) blink();
         viewer.cut = Math.max(0, Math.min(1, cut));
         slider.value = viewer.cut * 1000;
         draw();

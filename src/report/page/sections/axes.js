@@ -24,7 +24,6 @@ addSection({
         'Dashed lines: tuned settings, and the baselines “sampled” and “exact_corner”, one exact sample a pixel.',
     isThere: view => view.run.has('axis_summary.csv') || axisTimes(view.run).length > 0,
     uses: ['axes.*', 'sort.axis*'],
-    isFolded: true,
     draw(root, view) {
         const axes = axesOf(view);
         const errors = axes.filter(axis => axis.measure === AXIS_MEASURES.error);

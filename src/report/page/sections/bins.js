@@ -20,7 +20,6 @@ addSection({
         'is missed.',
     isThere: view => view.rows.length > 0 && view.run.has('bins.csv'),
     uses: ['bins.*', 'sort.bins*'],
-    isFolded: true,
     draw(root, view) {
         const lines = view.lines('bins.csv').filter(line => isScored(line) && line.n_truth > 0);
         const attributes = distinct(lines, line => line.attribute);

@@ -20,7 +20,6 @@ addSection({
         'a matching of its own.',
     isThere: view => view.run.has('cancellation.csv'),
     uses: ['cancellation.*', 'sort.cancellation'],
-    isFolded: true,
     draw(root, view) {
         const lines = view.lines('cancellation.csv');
         const methods = byMethod(view.run, lines);

@@ -9,7 +9,6 @@ addSection({
         'written and cleared ones. Medians over views.',
     isThere: view => costLines(view).length > 0,
     uses: ['cost.*', 'sort.cost*'],
-    isFolded: true,
     draw(root, view) {
         const methods = costMethods(view);
         const isPredicted = methods.some(method => method.predictedMs !== null);

@@ -9,7 +9,6 @@ addSection({
         'cross-check abstains.',
     isThere: view => view.allRows.some(row => isNumber(row.reference_disagreement)),
     uses: ['sort.crosscheck'],
-    isFolded: true,
     draw(root, view) {
         const views = crosscheckedViews(view.allRows);
         root.append(element('p', {}, crosscheckSentence(views)));

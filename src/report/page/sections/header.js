@@ -3,16 +3,19 @@
 
 function drawHeader(root, view) {
     const {run, best} = view;
+    const [lead, ...more] = run.rows.length ? verdictSentences(view) : [runWords(run)];
     root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
         ...[invalidWarning, missingWarning].map(make => make(view)),
         element('h1', {}, headline(view)),
+        lead ? element('p', {class: 'lead'}, lead) : null,
         unscoredWarning(),
-        run.rows.length ? element('p', {class: 'lead'}, ...verdictSentences(view)) : element('p', {class: 'lead'}, runWords(run)),
-        best && runs.length === 1 ? element('p', {class: 'soft paper-sentence'}, element('b', {}, 'For a paper: '), paperSentence(view)) : null,
-        best ? element('dl', {class: 'facts'}, headerFacts(view).map(([name, value, unit]) => element('div', {},
-            element('dt', {}, name), element('dd', {}, value, unit ? element('small', {}, ` ${unit}`) : null)))) : null,
+        best ? element('details', {class: 'more', 'data-name': 'more'},
+            element('summary', {}, `${count(view.contestants.length, 'method')}, ${count(best.views, 'view')} of ` +
+                `${scenesText(view, best.scenes)} with a score, ${run.rows[0].width} × ${run.rows[0].height} px: more`),
+            more.map(text => element('p', {}, text)),
+            runs.length === 1 ? element('p', {class: 'paper-sentence'}, element('b', {}, 'For a paper: '), paperSentence(view)) : null) : null,
     ].filter(Boolean));
 }
 
@@ -29,17 +32,18 @@ function headline(view) {
     return run.record.name === run.record.kind ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
 }
 
+/// The sentence below the headline, then those that few need.
 function verdictSentences(view) {
     const {best, contestants} = view;
     if (!best) return contestants.length ? [] : ['No method is left by these filters.'];
     const [first, rest] = answerWords(view);
     const most = d3.greatest(contestants, s => s.value);
-    const words = [runs.length > 1 ? `${view.run.label}: ${first}. ${rest} ` : `${rest} `,
-        `${measureWord(view.measure)} is at ${view.measure === 'f_1px' ? 1 : 2} px, over ${count(most.views, 'view')} of ${count(most.scenes, 'scene')} pooled. `,
+    const words = [runs.length > 1 ? `${view.run.label}: ${first}. ${rest}` : rest,
+        `${measureWord(view.measure)} is at ${view.measure === 'f_1px' ? 1 : 2} px, over ${count(most.views, 'view')} of ${count(most.scenes, 'scene')} pooled.`,
         partWords(contestants)];
     const front = paretoFront(contestants, s => s.ms, s => 1 - s.value).map(s => s.method);
     if (front.length > 1) words.push(`No method is both faster and better than these: ${front.join(', ')}.`);
-    return words.filter(Boolean);
+    return words;
 }
 
 /// The best method of each part of the suite, or which the only part is: on what the verdict holds.
@@ -48,22 +52,9 @@ function partWords(contestants) {
         const own = contestants.filter(s => s[split] !== null);
         return {split, best: own[d3.maxIndex(own, s => s[split])]};
     }).filter(part => part.best);
-    if (parts.length === 1) return `All scenes here are of one part: ${splitTitle(parts[0].split)}. `;
+    if (parts.length === 1) return `All scenes here are of one part: ${splitTitle(parts[0].split)}.`;
     return `Best by part: ${parts.map(({split, best}) =>
-        `${splitTitle(split)} ${best.method} ${formatShare(best[split])}`).join(', ')}. `;
-}
-
-function headerFacts(view) {
-    const {run, best} = view;
-    const row = run.rows[0];
-    return [
-        [MEASURES[view.measure].title, formatShare(best.value)],
-        best.ms ? ['its frame', formatMs(best.ms), 'ms'] : null,
-        ['methods', String(view.contestants.length)],
-        ['scenes', String(view.scenes.length)],
-        ['views with a score', `${best.views} of ${view.views}`],
-        ['image', `${row.width} × ${row.height}`, 'px'],
-    ].filter(Boolean);
+        `${splitTitle(split)} ${best.method} ${formatShare(best[split])}`).join(', ')}.`;
 }
 
 function ofRunText(run) {
@@ -73,7 +64,7 @@ function ofRunText(run) {
 function invalidWarning() {
     const faults = runs.flatMap(run => run.record.faults.map(fault => fault + ofRunText(run)));
     return faults.length
-        ? warningBox('This run is invalid.', 'What must hold of every run does not:', faults) : null;
+        ? warningBox('This run is invalid.', 'What must hold of every run does not:', faults, true) : null;
 }
 
 function missingWarning() {
@@ -91,16 +82,47 @@ function missingWarning() {
     }));
 }
 
-/// Views and cells without a score, each with its reason and what may help.
+/// What a reason without a score comes down to, and what helps most: [what, try]. `same` are lines of
+/// unscored.csv that begin alike.
+function unscoredWords(same) {
+    const {reason, remedy, run} = same[0];
+    const {width, height} = run.rows[0];
+    const at = `at ${width}x${height}`;
+    const larger = `--size ${3 * width}x${3 * height}`;
+    return {
+        crowded: [`too dense ${at}`, larger],
+        empty: [`without a line ${at}`, `another view, or ${larger}`],
+        too_large: ['too large', 'a smaller --size or a larger --crease'],
+        reference_disagreement: ['disputed between truth and cross-check', '--no-crosscheck'],
+    }[reason.split(':')[0]] || [reason, remedy];
+}
+
+/// "house.glb, trees.glb: all views": where there is no score.
+function unscoredPlaces(same, run) {
+    const viewsOf = scene => distinct(run.rows.filter(row => row.scene === scene), row => row.view).length;
+    const scenes = [...groupBy(same, line => line.scene)].map(([name, lines]) => {
+        const views = distinct(lines, line => line.view).length;
+        return {name, extent: same[0].method ? count(lines.length, 'cell') : views >= viewsOf(name) ? 'all views' : count(views, 'view')};
+    });
+    return [...groupBy(scenes, scene => scene.extent)].map(([extent, alike]) => {
+        const names = alike.slice(0, 4).map(scene => scene.name).join(', ');
+        return `${names}${alike.length > 4 ? ` and ${alike.length - 4} more` : ''}: ${extent}`;
+    }).join('; ');
+}
+
+/// Views and cells without a score: a line for what they have in common, each one below.
 function unscoredWarning() {
     const lines = runs.flatMap(run => run.table('unscored.csv').lines.map(line => ({...line, run})));
     if (!lines.length) return null;
-    const items = [...groupBy(lines, line => `${line.reason}\n${line.remedy}`).values()].map(same => {
-        const names = same.map(line => `${line.scene} ${line.view}` + (line.method ? ` ${line.method}` : '') + ofRunText(line.run));
-        const shown = names.slice(0, 12).join(', ') + (names.length > 12 ? ` and ${names.length - 12} more` : '');
-        return [element('strong', {}, shown), `: ${same[0].reason} `, element('em', {}, `Try: ${same[0].remedy}`)];
-    }).map(parts => element('span', {}, ...parts));
+    const kinds = [...groupBy(lines, line => `${line.run.index} ${Boolean(line.method)} ${line.reason.split(':')[0]}`).values()].map(same => {
+        const [what, remedy] = unscoredWords(same);
+        return `${unscoredPlaces(same, same[0].run)} ${what}${ofRunText(same[0].run)}; try ${remedy}.`;
+    });
+    const most = 2;
+    const more = kinds.length > most ? ` And ${count(kinds.length - most, 'other reason')}.` : '';
+    const items = lines.map(line => [`${line.scene} ${line.view}${line.method ? ` ${line.method}` : ''}${ofRunText(line.run)}`, line])
+        .map(([place, {reason, remedy}]) => element('span', {}, element('strong', {}, place), `: ${reason}. `, element('em', {}, `Try: ${remedy}`)));
     const views = lines.filter(line => !line.method).length;
     return warningBox(views ? `${count(views, 'view')} without a score.` : 'Some methods failed on some views.',
-                      'They enter no number here:', items);
+                      kinds.slice(0, most).join(' ') + more, items);
 }

@@ -6,6 +6,7 @@ const THUMB_PX = 132;
 
 addSection({
     id: 'pictures',
+    isMain: true,
     title: 'Images',
     intro: 'Truth and method under one slider: drag it, or click the image and use the wheel to zoom, ' +
         'drag to move, B to blink.',
@@ -17,6 +18,7 @@ addSection({
 // A section of its own, so that a choice in the viewer leaves the grid and its scroll position alone.
 addSection({
     id: 'grid',
+    isMain: true,
     title: 'Scenes by methods',
     intro: 'Every scene and method, errors in colour; a click on one opens it in the viewer above.',
     isThere: view => viewsWithImages(view).length > 0,
@@ -32,8 +34,7 @@ function drawGrid(root, view) {
     const shown = isAll ? views : scenes.map(lines => lines[0]);
     const methods = [...view.ranked, ...view.contestants.filter(s => !view.isAffordable(s))];
     const box = element('div', {class: 'scroll grid-box', tabindex: '0', role: 'region', 'aria-label': 'Scenes by methods'});
-    const watcher = watchSeen(box, 200, canvas =>
-        drawThumb(canvas, view.run, ...canvas.dataset.what.split('\n'), THUMB_PX, state.get('look')));
+    const watcher = watchSeen(box, 200, drawGridThumb);
     if (views.length > scenes.length) {
         root.append(element('div', {class: 'tools'},
             toggleButton('All views', isAll, on => state.set({'grid.views': on}))));
@@ -44,6 +45,10 @@ function drawGrid(root, view) {
                 element('small', {}, `${formatShare(s.value)}${s.ms ? ` · ${formatMs(s.ms)} ms` : ''}`))))),
         element('tbody', {}, shown.map(line => gridLine(view, line, methods, watcher, isAll)))));
     root.append(box);
+}
+
+function drawGridThumb(canvas) {
+    return drawThumb(canvas, cachedView().run, ...canvas.dataset.what.split('\n'), THUMB_PX, state.get('look'));
 }
 
 function gridLine(view, line, methods, watcher, isViewNamed) {
@@ -64,16 +69,12 @@ function gridLine(view, line, methods, watcher, isViewNamed) {
 
 /// One image, or its caption alone where the run kept none; a click opens it in the viewer.
 function gridCell(view, line, method, caption, row, watcher) {
-    if (!viewImages.has(view.run, line.scene, line.view, method)) return element('td', {class: 'thumb-cell'}, caption);
+    if (!viewImages.has(view.run, line.scene, line.view, method)) return element('td', {class: `thumb-cell${row && !isScored(row) ? ' unscored' : ''}`, 'data-method': method}, caption);
     const canvas = element('canvas', {class: 'thumb', 'data-what': [line.scene, line.view, method].join('\n'),
         style: `width:${THUMB_PX}px;height:${(THUMB_PX * 9) / 16}px`});
     watcher.observe(canvas);
-    const open = () => {
-        state.set({scene: line.scene, view: line.view, ...(row ? {right: method} : {left: 'truth'})});
-        document.getElementById('pictures').scrollIntoView();
-    };
-    const button = element('button', {type: 'button', class: 'thumb-button',
-        'aria-label': `${method} on ${line.scene}`, onclick: open}, canvas, caption);
+    const button = element('button', {type: 'button', class: 'thumb-button', 'aria-label': `${method} on ${line.scene}: ${caption.textContent}`,
+        onclick: () => openInViewer({scene: line.scene, view: line.view, ...(row ? {right: method} : {left: 'truth'})})}, canvas, caption);
     if (row) answerHover(button, [row], []);
-    return element('td', {class: 'thumb-cell'}, button);
+    return element('td', {class: `thumb-cell${row && !isScored(row) ? ' unscored' : ''}`, 'data-method': method}, button);
 }

@@ -9,7 +9,6 @@ addSection({
         'positives: drawn pixels, not thinned, farther than 2 px from every true one.',
     isThere: view => view.rows.some(row => isNumber(row.crack_truth)),
     uses: ['sort.place'],
-    isFolded: true,
     draw(root, view) {
         const methods = placeMethods(view);
         placeChart(root, methods);

@@ -15,7 +15,6 @@ addSection({
         'exactly such an angle; what shows there is the kink of the depth.',
     isThere: view => view.run.has('creases.csv'),
     uses: ['roll.*', 'sort.roll*'],
-    isFolded: true,
     draw(root, view) {
         const curves = rollCurves(view);
         const isShown = method => state.get('roll.all') || method.curves.some(curve => curve.isPredicted);

@@ -21,7 +21,6 @@ addSection({
         'and sweep.csv (the settings of sweeps).',
     isThere: view => view.run.table('rows.csv').lineCount > 0,
     uses: ['rows.study', 'rows.columns', 'sort.rows'],
-    isFolded: true,
     draw(root, view) {
         const box = element('div', {});
         const number = element('span', {class: 'note'});

@@ -5,6 +5,7 @@ state.define('other', 1);
 
 addSection({
     id: 'runs',
+    isMain: true,
     title: 'Runs beside each other',
     intro: 'Differences are of the second run less the first, over the views that both have, with 95 % intervals (scenes drawn anew, both runs on the same ones).',
     isThere: () => runs.length > 1,

@@ -3,7 +3,7 @@
 addSection({
     id: 'scenes',
     title: 'By scene',
-    intro: 'A scene’s views pooled; the redder, the more is wrong. Point at a cell for its worst image; a click keeps it.',
+    intro: 'A scene’s views pooled; the redder, the more is wrong; hatched: no score. Point at a cell for its worst image; a click keeps it.',
     isThere: view => view.scenes.length > 0 && view.contestants.length > 0,
     uses: ['sort.scenes'],
     draw(root, view) {
@@ -16,6 +16,7 @@ addSection({
                     mean: d3.mean([...values.values()].filter(isNumber)),
                     truth_px: d3.sum(distinct(rows, row => row.view), name => rows.find(row => row.view === name).truth_px)};
         });
+        const errorOf = value => (isNumber(value) ? 1 - value : null);
         const worst = Math.max(0.1, 1 - d3.min(lines.flatMap(line => [...line.values.values()].filter(isNumber))));
         const columns = [
             {key: 'scene', title: 'scene', isText: true, value: line => line.scene},
@@ -29,7 +30,7 @@ addSection({
                     const text = formatShare(line.values.get(s.method));
                     return element(text === formatShare(line.best) ? 'b' : 'span', {}, text);
                 },
-                css: line => errorShade(1 - line.values.get(s.method), worst),
+                css: line => errorShade(errorOf(line.values.get(s.method)), worst),
                 rows: line => line.rows.get(s.method),
             })),
         ];

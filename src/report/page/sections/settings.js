@@ -11,7 +11,6 @@ addSection({
         'and time change with one parameter.',
     isThere: view => sweptMethods(view).length > 0,
     uses: ['settings.*', 'sort.settings*'],
-    isFolded: true,
     draw(root, view) {
         const methods = sweptMethods(view);
         settingsTable(root, methods);

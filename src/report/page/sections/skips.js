@@ -11,7 +11,6 @@ addSection({
     isThere: view => skipCells(view).length > 0 ||
         skipKinds(view.run).some(kind => view.rows.some(row => isNumber(row[kind.of]))),
     uses: ['sort.skips*'],
-    isFolded: true,
     draw(root, view) {
         const rows = view.rows.filter(row => row.status === 'ok' && isNumber(row.skip_attributes_of));
         if (rows.length) {

@@ -10,7 +10,6 @@ addSection({
         'random image with as many drawn pixels scores. Counts of all views are pooled.',
     isThere: view => view.rows.length > 0 && (view.run.has('curves.csv') || view.run.has('tolerances.csv')),
     uses: ['thresholds.*', 'tolerances.*', 'sort.thresholds'],
-    isFolded: true,
     draw(root, view) {
         const methods = thresholdMethods(view);
         if (methods.some(method => method.curve)) thresholdChart(root, methods);

@@ -9,10 +9,9 @@ state.define('time.settings', true);
 
 addSection({
     id: 'time',
+    isMain: true,
     title: 'Error against time',
-    intro: 'Lower left is better. A method’s bars are the 95 % interval of its error and the quartiles of its time over ' +
-        'views. The grey stair is the lowest error to be had at each time. Point at a method to see its worst image; ' +
-        'a click keeps it and blinks the truth over it.',
+    intro: null,
     isThere: view => view.contestants.some(s => s.ms !== null),
     uses: ['time.*'],
     draw(root, view) {
@@ -24,9 +23,7 @@ addSection({
         makeChart(root, {
             id: 'error-time',
             title: `${isError ? measure.error : measure.title} against ${isBytes ? 'bytes a pixel' : 'time of a frame'}`,
-            note: [sweep.length && !isBytes ? 'Small points: other settings of a method, over the views of the sweep.' : '',
-                   ownClockNote(view)].filter(Boolean).join(' ') || null,
-            height: width => Math.max(380, Math.min(600, width * 0.52)),
+            height: width => Math.max(380, Math.min(500, width * 0.52)),
             controls: [
                 choiceButtons('Horizontal axis', [['ms', 'Time'], ['bytes', 'Bytes']], state.get('time.x'), x => state.set({'time.x': x})),
                 choiceButtons('Vertical axis', [['error', 'Error'], ['score', 'Score']], state.get('time.y'), y => state.set({'time.y': y})),
@@ -39,6 +36,11 @@ addSection({
                 ...lines.map(l => [l.method, l.setting, l.ms, l.msRange && l.msRange.low, l.msRange && l.msRange.high,
                                    l.bytes, l.value, l.range && l.range.low, l.range && l.range.high])],
         });
+        root.append(element('p', {class: 'note'}, ['Lower left is better. The grey stair is the lowest error to be had at each time. ' +
+            'Point at a method to see its worst image, the 95 % interval of its error and the quartiles of its time over views; those of ' +
+            'the stair are always there. A click keeps the image and blinks the truth over it.',
+        sweep.length && !isBytes ? 'Small points: other settings of a method, over the views of the sweep.' : '',
+        ownClockNote(view)].filter(Boolean).join(' ')));
     },
 });
 
@@ -98,29 +100,39 @@ function drawTimeChart(chart, view, lines, {isBytes, isError}) {
         point.append('title').text(`${line.method}: ${line.setting || 'its own setting'}\n${MEASURES[view.measure].title} ${formatShare(line.value)}, ${formatMs(line.ms)} ms`);
     }
     const methods = shown.filter(l => !l.isSetting);
-    for (const line of methods) drawBars(plot, line, {px, py, x, y, isBytes, isError, smallest, height});
+    const front = paretoFront(methods, xOf, line => 1 - line.value);
+    const crosses = new Map(methods.map(line => [line, crossOf(line, {px, py, x, y, isBytes, isError, smallest, height})]));
+    const layer = plot.append('g');
     for (const line of methods) {
+        const cross = layer.append('g').attr('class', `cross${front.includes(line) ? ' kept' : ''}`).style('stroke', colourOf(line.info));
+        for (const [x1, y1, x2, y2] of crosses.get(line))
+            cross.append('line').attr('class', 'interval').attr('x1', x1).attr('y1', y1).attr('x2', x2).attr('y2', y2);
         const node = plot.append('g').attr('class', 'point').attr('data-method', line.method)
             .attr('transform', `translate(${px(line)},${py(line)})`);
         node.append('circle').attr('r', 11).attr('class', 'catch');
         node.append('path').attr('d', markerOf(line.info)).call(markerStyle, line.info);
         if (!view.isAffordable(line)) node.attr('opacity', 0.35);
+        for (const [event, isOn] of [['pointerenter', true], ['focus', true], ['pointerleave', false], ['blur', false]])
+            node.on(event, () => cross.classed('pointed', isOn));
         answerPointer(node, line.rows, [
             `${line.method}: ${MEASURES[view.measure].title} ${formatShare(line.value)}` +
             (line.range ? ` (${formatRange(line.range)})` : '') +
             (line.ms ? `, ${formatMs(line.ms)} ms` : '') + (line.bytes ? `, ${line.bytes} B/px` : '')]);
     }
-    placeLabels(plot, methods.map(line => ({x: px(line), y: py(line), text: line.method, colour: colourOf(line.info)})), width, height);
+    placeLabels(plot, methods.map(line => ({x: px(line), y: py(line), text: line.method, colour: colourOf(line.info),
+        isFirst: front.includes(line) || line.method === view.best?.method})), width, height, front.flatMap(line => crosses.get(line)));
 }
 
-function drawBars(plot, line, {px, py, x, y, isBytes, isError, smallest, height}) {
-    const bar = (x1, y1, x2, y2) => plot.append('line').attr('class', 'interval').style('stroke', colourOf(line.info))
-        .attr('x1', x1).attr('y1', y1).attr('x2', x2).attr('y2', y2);
+/// The bars of a method, of its error and of its time: [x1, y1, x2, y2] each.
+function crossOf(line, {px, py, x, y, isBytes, isError, smallest, height}) {
+    const bars = [];
     if (line.range) {
         const ends = [line.range.low, line.range.high].map(v => (isError ? 1 - v : v)).map(v => (smallest ? Math.max(v, smallest) : v));
-        bar(px(line), Math.min(height, y(ends[0])), px(line), Math.max(0, Math.min(height, y(ends[1]))));
+        const [y1, y2] = ends.map(end => Math.max(0, Math.min(height, y(end))));
+        bars.push([px(line), y1, px(line), y2]);
     }
-    if (line.msRange && !isBytes) bar(x(line.msRange.low), py(line), x(line.msRange.high), py(line));
+    if (line.msRange && !isBytes) bars.push([x(line.msRange.low), py(line), x(line.msRange.high), py(line)]);
+    return bars;
 }
 
 /// The stair of what nothing beats in both, over methods and their settings.

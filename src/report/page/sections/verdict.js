@@ -2,6 +2,7 @@
 
 addSection({
     id: 'verdict',
+    isMain: true,
     title: 'Verdict',
     intro: view => 'Counts of all views are pooled. F is the harmonic mean of precision and recall of one-to-one ' +
         'matches between drawn and true pixels. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
