@@ -110,8 +110,9 @@ class BrowserTest(unittest.TestCase):
         return self.browser.find_elements(By.CSS_SELECTOR, selector)
 
     def show(self, section):
-        """Scrolls to a part, waits until it is drawn, and gives it."""
-        self.script("document.getElementById(arguments[0]).scrollIntoView()", section)
+        """Unfolds a part, scrolls to it, waits until it is drawn, and gives it."""
+        self.script("const part = sections.find(s => s.id === arguments[0]); if (part.fold) part.fold.open = true;"
+                    "part.node.scrollIntoView()", section)
         self.wait(lambda: self.script(
             "return document.querySelector('#' + arguments[0] + ' .section-body').childElementCount > 0", section))
         return self.find(f"#{section}")

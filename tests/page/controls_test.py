@@ -82,14 +82,15 @@ class ControlsTest(BrowserTest):
         self.assertEqual(self.script("return timers.size"), blinking, f"timers after {what}")
         return boxes
 
-    def work_all(self, root, shown):
-        """Works every control below `root` but heads of tables, each from the page's first state."""
+    def work_all(self, root, shown, first=None):
+        """Works every control below `root` but heads of tables, each from the page's first state, or
+        from the choices `first`."""
         found = [c for c in controls(self.browser, root) if c["kind"] not in ("head", "picture")]
         for control in found:
             for choice in control["choices"]:
                 self.assertTrue(work(self.browser, root, control, choice), f"{control['name']} is gone")
                 self.check(f"{root}, {control['name']} {choice or ''}", shown)
-            self.script("state.reset()")
+            self.script("state.reset(); state.set(arguments[0])", first or {})
         return found
 
     # ---- Every control ---------------------------------------------------------------------
@@ -169,7 +170,7 @@ class ControlsTest(BrowserTest):
         self.stage("a run without images")
         options = [option.text for option in self.find_all("#pictures select[aria-label='Right of run'] option")]
         self.assertEqual(options, ["before", "after"])
-        self.work_all("#pictures", "#pictures")
+        self.work_all("#pictures", "#pictures", {"scene": "cube"})
 
     def test_what_was_enlarged_of_one_scene_is_not_of_the_next(self):
         self.open_pictures(address="#scene=cube")

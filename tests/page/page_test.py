@@ -81,7 +81,7 @@ class PageTest(BrowserTest):
             self.assertIn(answer, said.replace("*", "").replace("`", ""))
             self.assertEqual(self.find("h1").text, first)
             self.assertIn(rest, self.find(".lead").text)
-            self.assertIn(self.find(".paper-sentence").text, said)
+            self.assertIn(self.find(".paper-sentence").get_attribute("textContent"), said)
         lines = {line["answer"]: line for line in self.tables("summary.csv")}
         winner = lines.get("answer") or lines["both"]
         self.assertEqual(winner["method"], first.split(":")[0])

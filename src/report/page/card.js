@@ -18,16 +18,22 @@ function answerPointer(node, rows, facts = []) {
     const target = node.node ? node.node() : node;
     target.classList.add('answers');
     target.setAttribute('tabindex', '0');
+    if (target instanceof SVGElement) {
+        target.setAttribute('role', 'button');
+        const name = rows[0].method;
+        target.setAttribute('aria-label', (facts[0].startsWith(name) ? facts : [name, ...facts]).join(', '));
+    }
     answerHover(target, shown, facts);
     const pin = event => {
         event.stopPropagation();
+        event.preventDefault(); // or the key presses what has the focus next: the card's own button
         const box = target.getBoundingClientRect();
         showCard(target, shown, facts, {clientX: event.clientX || box.right, clientY: event.clientY || box.top});
         pinCard();
     };
     target.addEventListener('click', pin);
     target.addEventListener('keydown', event => {
-        if (event.key === 'Enter') pin(event);
+        if (event.key === 'Enter' || event.key === ' ') pin(event);
     });
 }
 
@@ -67,7 +73,8 @@ function showCard(target, rows, facts, {clientX, clientY}) {
         card.node = element('div', {class: 'card', role: 'dialog', 'aria-label': 'Image of a view'});
         document.body.append(card.node);
         document.addEventListener('click', event => {
-            if (card.isPinned && !card.node.contains(event.target)) hideCard();
+            // A button of the card is gone from it when it has drawn the next view.
+            if (card.isPinned && !event.composedPath().includes(card.node)) hideCard();
         });
         document.addEventListener('keydown', event => {
             if (event.key === 'Escape') hideCard();

@@ -25,7 +25,7 @@ function makeChart(parent, {id, title, note, height = 420, least = 320, controls
         const tall = typeof height === 'function' ? height(width) : height;
         body.replaceChildren();
         const svg = d3.select(body).append('svg').attr('viewBox', `0 0 ${width} ${tall}`)
-            .attr('width', width).attr('height', tall).attr('role', 'img').attr('aria-label', title);
+            .attr('width', width).attr('height', tall).attr('role', 'group').attr('aria-label', title);
         draw({svg, width, height: tall});
     };
     redraw(body.clientWidth || parent.clientWidth || 900);
