@@ -5,8 +5,7 @@
 /// `draw` is given {svg, width, height} and is called again when the width changes. `csv` gives
 /// lines of fields, the heading first.
 function makeChart(parent, {id, title, note, height = 420, least = 320, controls = [], draw, csv}) {
-    const body = element('div', {class: 'chart-body scroll', tabindex: '0', role: 'region',
-                                 'aria-label': title});
+    const body = element('div', {class: 'chart-body scroll', tabindex: '0', role: 'group', 'aria-label': title});
     const figure = element('figure', {class: 'chart', id: `chart-${id}`},
         element('div', {class: 'chart-head'}, element('h3', {}, title),
             element('div', {class: 'tools'}, controls,

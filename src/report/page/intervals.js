@@ -61,25 +61,27 @@ function drawingsOf(count, seed) {
 /// count once.
 function weigh(side, drawing) {
     const {over, under, at, times, rest} = side;
+    const count = over.length;
     let overAll = 0;
     let underAll = 0;
-    for (let i = 0; i < over.length; ++i) {
+    for (let i = 0; i < count; ++i) {
         times[i] = drawing ? drawing[at[i]] : 1;
         overAll += times[i] * over[i];
         underAll += times[i] * under[i];
     }
-    side.value = underAll > 0 ? overAll / underAll : 1;
+    const value = underAll > 0 ? overAll / underAll : 1;
     const per = underAll > 0 ? 1 / underAll : 0;
-    for (let i = 0; i < over.length; ++i) rest[i] = (over[i] - side.value * under[i]) * per;
+    for (let i = 0; i < count; ++i) rest[i] = (over[i] - value * under[i]) * per;
+    side.value = value;
 }
 
 /// The error of a difference of two weighed sides. This is where a page with many methods spends its time.
-function errorOf(a, b) {
-    const n = a.rest.length;
+function errorOf({rest, times}, {rest: other}) {
+    const n = rest.length;
     let squares = 0;
     for (let i = 0; i < n; ++i) {
-        const one = a.rest[i] - b.rest[i];
-        squares += a.times[i] * one * one;
+        const one = rest[i] - other[i];
+        squares += times[i] * one * one;
     }
     return Math.sqrt(squares * n / (n - 1));
 }
@@ -97,7 +99,7 @@ function students(z, freedom) {
 /// Pairs {a, b} as they were measured, and how many errors away each drawing has them; `largest` are the
 /// largest distances of each drawing. A side that stands in many pairs is weighed once a drawing.
 function distancesOf(pairs, drawings) {
-    const sides = [...new Set(pairs.flatMap(pair => [pair.a, pair.b]))];
+    const sides = [...new Set(pairs.flatMap(pair => [pair.a, pair.b]))].filter(side => side.over);
     for (const side of sides) weigh(side, null);
     const measured = pairs.map(({a, b}) => ({a, b, value: a.value - b.value, error: errorOf(a, b), own: null}));
     const moving = measured.filter(pair => pair.error > NO_ERROR);
@@ -142,8 +144,8 @@ function pairedIntervals(pairs, sceneCount, seed) {
 }
 
 /// A side whose value is 0 however scenes are drawn.
-function nothingBeside({over, at}) {
-    return sideOf(over.length, () => [0, 1], at);
+function nothingBeside(side) {
+    return {value: 0, rest: new Float64Array(side.over.length)};
 }
 
 /// A side of so many scenes: `sumsOf` gives both sums of one, `at` says which of all scenes they are.

@@ -30,8 +30,7 @@ function makeTable(parent, {name, columns, lines, lineClass, order = '', caption
     const table = element('table', {class: 'data'},
         caption ? element('caption', {}, caption) : null,
         element('thead', {}, groups, head), body);
-    const scroller = element('div', {class: 'scroll', tabindex: '0', role: 'region',
-                                     'aria-label': `Table ${name}`}, table);
+    const scroller = element('div', {class: 'scroll', tabindex: '0', role: 'group', 'aria-label': `Table ${name}`}, table);
     parent.append(scroller);
     const more = limit < shown.length
         ? element('button', {type: 'button', onclick: event => {

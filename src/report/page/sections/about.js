@@ -94,7 +94,7 @@ function aboutProvenance(run) {
         entries.map(([name, value]) => element('div', {}, element('dt', {}, name), element('dd', {}, value))));
     const asked = record.asked ? element('details', {'data-name': 'asked'},
         element('summary', {}, 'Everything that was asked, as a file of inkbench run'),
-                                         element('pre', {class: 'asked'}, record.asked)) : null;
+                                         element('pre', {class: 'asked', tabindex: '0', role: 'group', 'aria-label': 'What was asked'}, record.asked)) : null;
     return element('div', {}, list, asked);
 }
 

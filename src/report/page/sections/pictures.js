@@ -33,7 +33,7 @@ function drawGrid(root, view) {
     const isAll = state.get('grid.views');
     const shown = isAll ? views : scenes.map(lines => lines[0]);
     const methods = [...view.ranked, ...view.contestants.filter(s => !view.isAffordable(s))];
-    const box = element('div', {class: 'scroll grid-box', tabindex: '0', role: 'region', 'aria-label': 'Scenes by methods'});
+    const box = element('div', {class: 'scroll grid-box', tabindex: '0', role: 'group', 'aria-label': 'Scenes by methods'});
     const watcher = watchSeen(box, 200, drawGridThumb);
     if (views.length > scenes.length) {
         root.append(element('div', {class: 'tools'},

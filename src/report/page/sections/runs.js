@@ -16,17 +16,18 @@ addSection({
         root.append(element('div', {class: 'tools'},
             chooser('First', choices, a.index, i => state.set({base: Number(i)})),
             chooser('Second', choices, b.index, i => state.set({other: Number(i)}))));
-        drawAskedDifferences(root, a, b);
         const [ofA, ofB] = [viewOf(a), viewOf(b)];
         const lines = runLines(ofA, ofB, view.measure);
         if (!lines.length) {
             root.append(element('p', {class: 'note'}, 'These runs have no method in common on the same views.'));
+            drawAskedDifferences(root, a, b);
             return;
         }
         const changed = lines.filter(line => !line.isSame);
         root.append(element('p', {class: 'verdict-line'}, changed.length
             ? `Results changed for ${changed.map(line => line.method).join(', ')}; those of ${count(lines.length - changed.length, 'other method')} are the same, bit for bit.`
             : 'All results are the same, bit for bit: these runs differ in times alone.'));
+        drawAskedDifferences(root, a, b);
         const drawn = lines.filter(line => line.difference);
         makeChart(root, {
             id: 'runs', title: `${MEASURES[view.measure].title}: ${b.label} less ${a.label}`, height: 24 + 22 * drawn.length + 46,

@@ -28,7 +28,7 @@ addSection({
                 value: line => line.values.get(s.method),
                 node: line => {
                     const text = formatShare(line.values.get(s.method));
-                    return element(text === formatShare(line.best) ? 'b' : 'span', {}, text);
+                    return element(text !== NOTHING && text === formatShare(line.best) ? 'b' : 'span', {}, text);
                 },
                 css: line => errorShade(errorOf(line.values.get(s.method)), worst),
                 rows: line => line.rows.get(s.method),
