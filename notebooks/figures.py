@@ -18,13 +18,16 @@ if sys.version_info < (3, 11):
 try:
     import matplotlib
     import pandas  # noqa: F401  (asked here, so that one sentence names all that is missing)
-except ImportError as error:
-    print(f"figures: they need {error.name}, which {sys.executable} does not have; on Debian: "
-          "apt-get install python3-pandas python3-matplotlib", file=sys.stderr)
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+except Exception as error:  # noqa: BLE001  (what is half installed fails in its own ways)
+    lacks = isinstance(error, ModuleNotFoundError) and error.name in ("matplotlib", "pandas")
+    what = f"{error.name}, which {sys.executable} does not have" if lacks else \
+        f"matplotlib and pandas, and {sys.executable} cannot load them " \
+        f"({type(error).__name__}: {' '.join(str(error).split())})"
+    print(f"figures: they need {what}; on Debian: apt-get install python3-pandas python3-matplotlib",
+          file=sys.stderr)
     sys.exit(2)
-
-matplotlib.use("agg")
-import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the back end)
 
 from paper import catalogue  # noqa: E402
 from paper.chart import Nothing, Table  # noqa: E402
@@ -156,6 +159,9 @@ def parser():
                      help="wrong pixels in the colour of their cause, not in two colours")
     out.add_argument("--methods", metavar="A,B", help="these alone, in this order in strips")
     out.add_argument("--scenes", metavar="A,B", help="these alone, in this order in strips")
+    out.add_argument("--tables-of-scenes", action="store_true",
+                     help="summary.csv and differences.csv of --scenes are in --out already; "
+                     "`inkbench figures` puts them there")
     out.add_argument("--views", choices=["first", "all"], default="first",
                      help="of each scene, shown in strips where the run kept images (first)")
     out.add_argument("--only", metavar="A,B", help="these figures alone")
@@ -193,7 +199,7 @@ def options_of(words):
 def make(args):
     """Writes all figures that the runs have data for; returns the names of the files."""
     runs = Runs([RunFolder(path) for path in args.runs], args.methods, args.scenes,
-                args.views == "all")
+                args.views == "all", args.out if args.tables_of_scenes else None)
     style = Style(width_in=args.width_in, font_pt=args.font_pt, registry=runs.registry(),
                   windows=args.windows, causes=args.causes)
     out = Path(args.out)
@@ -222,7 +228,7 @@ def make(args):
                 print(out / file, flush=True)
     for file in set(older) - set(written):
         (out / file).unlink(missing_ok=True)
-    write_whole(out / "figures.md", _list(args.runs, sections, missing))
+    write_whole(out / "figures.md", _list(runs.folders, sections, missing))
     print(out / "figures.md")
     for line in missing:
         print("no " + line.removeprefix("- ").replace("`", ""))
@@ -256,12 +262,12 @@ def _files_in(page):
     return [file for line in lines for file in re.findall(r"\[([\w.+-]+)\]", line)]
 
 
-def _list(run_folders, sections, missing):
-    text = "# Figures\n\nMade from " + ", ".join(f"`{run}`" for run in run_folders) + ".\n\n"
-    text += "\n".join(sections)
+def _list(folders, sections, missing):
+    text = "# Figures\n\n" + "\n".join(sections)
     if missing:
         text += "\n## Not made\n\n" + "\n".join(missing) + "\n"
-    return text
+    return text + "\n## Runs\n\n" + "".join(
+        f"- {run.name}: `{run.command}`\n" if run.command else f"- {run.name}\n" for run in folders)
 
 
 def main(words):

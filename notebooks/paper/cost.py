@@ -6,7 +6,7 @@ import numpy as np
 from paper import layout
 from paper.chart import Chart, Nothing
 from paper.methods import panels_by_family
-from paper.runs import BASELINES, ONE_SAMPLE, extent, pooled
+from paper.runs import BASELINES, ONE_SAMPLE, answer_of, extent, ms, pooled
 from paper.style import FAINT, INK, MIST, PAPER
 
 _NO_TIMES = "the run was made without times (--no-times)"
@@ -47,8 +47,8 @@ def error_time(runs, style):
             break
         plt.close(figure)
     points = {m: (line["draw_ms"], 1 - line["f_2px"]) for m, line in lines.iterrows()}
-    facts = ["from the fastest, each better than all before: " + "; ".join(
-        f"{m} {points[m][0]:.2f} ms, error {points[m][1]:.3f}" for m in front(points))]
+    facts = answer_of(lines)[1] + ["from the fastest, each better than all before: " + "; ".join(
+        f"{m} {ms(points[m][0])} ms, error {points[m][1]:.3f}" for m in front(points))]
     rows = runs.table_if_any("rows.csv")
     where = "" if rows is None else f"Over {extent(rows)}" + (
         f", {', '.join(rows['cpu'].dropna().unique())}. " if "cpu" in rows else ". ")
@@ -154,8 +154,8 @@ def settings(runs, style):
     facts = []
     for method in style.by_family(points["method"]):
         own = points[points["method"] == method]
-        facts.append(f"{method}: {len(own)} settings, {own['ms'].min():.2f} to "
-                     f"{own['ms'].max():.2f} ms, error {own['error'].min():.3f} to "
+        facts.append(f"{method}: {len(own)} settings, {ms(own['ms'].min())} to "
+                     f"{ms(own['ms'].max())} ms, error {own['error'].min():.3f} to "
                      f"{own['error'].max():.3f}")
     return Chart(figure, "What settings trade: small marks are all settings of a sweep, stairs those "
                  "that no other of the method beats, the grey stair those that none beats at all. "

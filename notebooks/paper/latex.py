@@ -3,7 +3,7 @@
 import pandas as pd
 
 from paper.chart import Nothing, Table
-from paper.runs import BASELINES, CLASS_PARTS, RECALL_GROUPS, counted
+from paper.runs import BASELINES, CLASS_PARTS, RECALL_GROUPS, answer_of, counted, ms
 from paper.style import MM_PER_IN
 
 _WIDE_MM = 120
@@ -33,31 +33,6 @@ def _numbers(values, digits):
     return texts
 
 
-def _ms(value):
-    """Milliseconds with three digits that count, as the program's verdict has them."""
-    digits = 3 if value < 0.0995 else 2 if value < 9.995 else 1 if value < 99.95 else 0
-    return f"{value:.{digits}f}"
-
-
-def _answer(lines):
-    """The method that the program answers with, or None; and that and the most exact as facts."""
-    def fact(what, name):
-        line = lines.loc[name]
-        return f"{what}: {name}, F {line['f_2px']:.3f}" + \
-            ("" if pd.isna(line["draw_ms"]) else f" in {_ms(line['draw_ms'])} ms")
-
-    places = lines["answer"].fillna("") if "answer" in lines else pd.Series("", lines.index)
-    found = list(places.index[places.isin(["answer", "both"])])
-    facts = [fact("the answer", name) for name in found] + \
-        [fact("the most exact", name) for name in places.index[places == "best"]]
-    if "error_scene_share" in lines:
-        facts += [f"{name}: {100 * line['error_scene_share']:.0f} % of its error in "
-                  f"{line['error_scene']}" for name, line in lines.iterrows()
-                  if line["kind"] == "method" and line["scenes"] >= 6
-                  and line["error_scene_share"] > 0.5]
-    return next(iter(found), None), facts
-
-
 def verdict(runs, style):
     """F with its interval, time, bytes and, on a wide page, recall by class, a line a method.
 
@@ -70,7 +45,7 @@ def verdict(runs, style):
     order = methods + [b for b in BASELINES if b in summary.index]
     lines = summary.loc[order]
     is_wide = style.width_in * MM_PER_IN >= _WIDE_MM
-    answer, facts = _answer(lines)
+    answer, facts = answer_of(lines)
     columns = {"method": [rf"\textbf{{{_escaped(m)}}}" if m == answer else _escaped(m)
                           for m in order],
                "$F$": _numbers(lines["f_2px"].where(~lines.index.isin(BASELINES)), 3),
@@ -80,7 +55,7 @@ def verdict(runs, style):
         if name in BASELINES and not pd.isna(lines.loc[name, "f_2px"]):
             columns["$F$"][i] = f"{lines.loc[name, 'f_2px']:.3f}"
     if lines["draw_ms"].notna().any():
-        columns["ms"] = ["--" if pd.isna(v) else _ms(v) for v in lines["draw_ms"]]
+        columns["ms"] = ["--" if pd.isna(v) else ms(v) for v in lines["draw_ms"]]
     columns["B/px"] = ["--" if pd.isna(v) else f"{v:g}" for v in lines["bytes_per_px"]]
     there = [c for c in RECALL_GROUPS if lines[f"recall_{c}"].notna().any()] if is_wide else []
     for name in there:

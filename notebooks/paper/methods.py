@@ -4,8 +4,7 @@ import pandas as pd
 
 from paper import layout
 from paper.chart import Chart, Nothing
-from paper.runs import (CLASSES, ONE_SAMPLE, RECALL_GROUPS, counted, extent,
-                        pooled)
+from paper.runs import CLASSES, ONE_SAMPLE, RECALL_GROUPS, answer_of, counted, extent, pooled
 from paper.sheet import GRID_DPI, text_width_px
 from paper.style import CLASS_COLOURS, FAINT, FALSE_CAUSES, INK, MISSING_CAUSES, MIST
 
@@ -47,7 +46,7 @@ def f_by_method(runs, style):
         entries.append((label, {"color": FAINT, "linestyle": dashes, "linewidth": 1}))
     layout.key(figure, style, entries)
     best = summary.loc[methods, "f_2px"].sort_values(ascending=False)
-    facts = ["best: " + "; ".join(
+    facts = answer_of(summary.loc[methods])[1] + ["highest F: " + "; ".join(
         f"{m} {summary.loc[m, 'f_2px']:.3f}{_interval(summary.loc[m])}" for m in best.index[:3])]
     return Chart(figure, "F at 2 px of each method over all scenes, with 95 % intervals (scenes "
                  "resampled with all their views). " + _extent(runs) + runs.source("summary.csv"),

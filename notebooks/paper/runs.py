@@ -80,8 +80,8 @@ class RunFolder:
 
     @property
     def command(self):
-        """As it was typed, or "" if the folder does not say."""
-        return self.record.get("command", "")
+        """As it was typed, files without their folders, or "" if the folder does not say."""
+        return re.sub(r"(?<![^\s,=])/[^\s,]*/", "", self.record.get("command", ""))
 
     def table(self, name):
         """The file `name` as a frame, or None if it is missing or has no line of data.
@@ -159,16 +159,20 @@ class Runs:
     """Some run folders: a table is that of the first folder that has it.
 
     methods, scenes: names or globs to which every table is narrowed; None for all. is_every_view:
-    images of all views are shown, not of the first of each scene alone. Raises BadInput for a name
-    that no row has.
+    images of all views are shown, not of the first of each scene alone. tables_of_scenes: a folder
+    with summary.csv and differences.csv of these scenes, which a run has of all. Raises BadInput for
+    a name that no row has.
     """
 
-    def __init__(self, folders, methods=None, scenes=None, is_every_view=False):
+    def __init__(self, folders, methods=None, scenes=None, is_every_view=False, tables_of_scenes=None):
         self.folders = folders
         self.methods = self._known("method", methods)
         self.scenes = self._known("scene", scenes)
         self.is_every_view = is_every_view
-        self._is_every_scene = scenes is None or set(self.scenes) == set(self._all("scene"))
+        is_every_scene = scenes is None or set(self.scenes) == set(self._all("scene"))
+        self._of_scenes = None if is_every_scene else {
+            name: _read_csv(Path(tables_of_scenes) / name) if tables_of_scenes else None
+            for name in ("summary.csv", "differences.csv")}
 
     def _all(self, column):
         return list(dict.fromkeys(name for f in self.folders for name in f.names(column)))
@@ -203,6 +207,11 @@ class Runs:
             where = "it" if len(self.folders) == 1 else "them"
             raise Nothing(f"no {name} in {where}" + (f"; {advice}" if advice else ""))
         frame = folder.table(name)
+        if self._of_scenes and name in self._of_scenes:
+            frame = self._of_scenes[name]
+            if frame is None:
+                raise Nothing(f"{name} is over all scenes of a run, and --scenes asks for some; "
+                              "`inkbench figures RUN --scenes` makes it of these")
         if "status" in frame:
             frame = frame[frame["status"] == "ok"]
         if self.methods is not None and "method" in frame:
@@ -226,28 +235,19 @@ class Runs:
             return None
 
     def summary(self):
-        """summary.csv by method.
-
-        Its numbers are over all scenes of the run, so that Nothing is raised where only some of
-        them were asked for.
-        """
-        if not self._is_every_scene:
-            raise Nothing("summary.csv is over all scenes of a run, and --scenes asks for some; "
-                          "without --scenes, or with a run of these scenes, it is there")
+        """summary.csv by method."""
         return self.table("summary.csv", "only a comparison of one size and number of threads has "
                           "it").set_index("method")
 
     def source(self, *names):
         """Where tables are from, as the end of a caption."""
         folder = self.folder_with(*names) or self.folders[0]
-        command = f" (`{folder.command}`)" if folder.command else ""
         files = " and ".join(f"`{name}`" for name in names)
-        return f"Numbers: {files} of the run {folder.name}{command}."
+        part = f" made of {', '.join(self.scenes)}" if self._of_scenes and names[0] in self._of_scenes else ""
+        return f"Numbers: {files} of the run {folder.name}{part}."
 
     def differences(self):
-        """differences.csv; raises Nothing as `summary` does, and if fewer than two methods stay."""
-        if not self._is_every_scene:
-            raise Nothing("differences.csv is over all scenes of a run, and --scenes asks for some")
+        """differences.csv; raises Nothing if fewer than two methods stay."""
         frame = self.table("differences.csv", "only a comparison of two methods or more, of one "
                            "size, has it")
         if self.methods is not None:
@@ -307,6 +307,31 @@ def extent(rows):
     sizes = ", ".join(f"{w}x{h}" for w, h in rows[["width", "height"]].drop_duplicates().values)
     views = len(rows[["scene", "view"]].drop_duplicates())
     return f"{counted(rows['scene'].nunique(), 'scene')}, {counted(views, 'view')}, {sizes} px"
+
+
+def ms(value):
+    """Milliseconds with three digits that count, as the program's verdict has them."""
+    digits = 3 if value < 0.0995 else 2 if value < 9.995 else 1 if value < 99.95 else 0
+    return f"{value:.{digits}f}"
+
+
+def answer_of(lines):
+    """The method that the program answers with, or None; and that and the most exact as facts."""
+    def fact(what, name):
+        line = lines.loc[name]
+        return f"{what}: {name}, F {line['f_2px']:.3f}" + \
+            ("" if pd.isna(line["draw_ms"]) else f" in {ms(line['draw_ms'])} ms")
+
+    places = lines["answer"].fillna("") if "answer" in lines else pd.Series("", lines.index)
+    found = list(places.index[places.isin(["answer", "both"])])
+    facts = [fact("the answer", name) for name in found] + \
+        [fact("the most exact", name) for name in places.index[places == "best"]]
+    if "error_scene_share" in lines:
+        facts += [f"{name}: {100 * line['error_scene_share']:.0f} % of its error in "
+                  f"{line['error_scene']}" for name, line in lines.iterrows()
+                  if line["kind"] == "method" and line["scenes"] >= 6
+                  and line["error_scene_share"] > 0.5]
+    return next(iter(found), None), facts
 
 
 def views_of(rows):

@@ -1,6 +1,5 @@
 """Strips: truth and methods beside each other, errors in colour, zoomed windows below."""
 
-import math
 from functools import partial
 
 import numpy as np
@@ -8,7 +7,7 @@ from matplotlib.collections import LineCollection
 
 from paper import images
 from paper.chart import Chart, Nothing
-from paper.runs import CLASSES, BadInput, counted, file_name
+from paper.runs import CLASSES, BadInput, counted, file_name, ms
 from paper.sheet import GRID_DPI, Sheet, colours_of, text_width_px, wrapped_name
 from paper.style import (CAUSES, CLASS_COLOURS, FALSE, FALSE_CAUSES, INK, MISSING, MISSING_CAUSES,
                          MIST, MM_PER_IN, PAPER)
@@ -236,7 +235,8 @@ class _Band:
     def _numbers(self, x_px, y_px, drawing):
         """F and the time, F bold if it is the best and no other shows the same digits."""
         sheet, size = self._sheet, self._style.small_pt
-        f_text, time_text = f"F {drawing.row['f_2px']:.3f}", time_ms(drawing.row)
+        f_text, draw_ns = f"F {drawing.row['f_2px']:.3f}", drawing.row["draw_ns"]
+        time_text = f"{ms(draw_ns / 1e6)} ms" if draw_ns > 0 else ""
         shown = sorted((f"{d.row['f_2px']:.3f}" for d in self._view.drawings), reverse=True)
         is_best = f_text[2:] == shown[0] and shown.count(shown[0]) == 1 and len(shown) > 1
         weight = "bold" if is_best else "normal"
@@ -252,14 +252,6 @@ class _Band:
 
 def _letter(n):
     return chr(ord("a") + n)
-
-
-def time_ms(row):
-    """"0.76 ms", or "" for a run without times."""
-    if not row["draw_ns"] > 0:
-        return ""
-    ms = row["draw_ns"] / 1e6
-    return f"{ms:.{max(0, 1 - math.floor(math.log10(ms)))}f} ms"
 
 
 def _enlarged_errors(codes):

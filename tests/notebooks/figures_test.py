@@ -315,9 +315,85 @@ class Program(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("160x90", done.stderr)
 
+    def test_a_half_installed_matplotlib_is_one_sentence(self):
+        for content, wanted in (("import a_missing_part", "No module named 'a_missing_part'"),
+                                ("raise ValueError('binary\\nmismatch')", "binary mismatch")):
+            package = Path(DESK.name, "half", "matplotlib")
+            package.mkdir(parents=True, exist_ok=True)
+            (package / "__init__.py").write_text(content)
+            done = subprocess.run([sys.executable, "-B", str(SCRIPT), folder("compare")], text=True,
+                                  capture_output=True, cwd=DESK.name,
+                                  env={**os.environ, "PYTHONPATH": str(package.parent)})
+            self.assertEqual(done.returncode, 2)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn(wanted, done.stderr)
+            self.assertIn("apt-get install", done.stderr)
+
+    def test_captions_name_the_run_and_its_command_stands_once(self):
+        model = Path(DESK.name, "models", "square.obj")
+        model.parent.mkdir()
+        model.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+        run = Path(DESK.name, "of-a-file")
+        made = subprocess.run([tiny_runs.PROGRAM, "compare", str(model), "--methods", "ids,mote4", "--size",
+                               "160x90", "--no-sweep", "--quiet", "--out", str(run)], capture_output=True)
+        self.assertIn(made.returncode, (0, 3), made.stderr)
+        self.assertEqual(script(str(run), "--only", "strips,classes,f", "--out", "short").returncode, 0)
+        page = Path(DESK.name, "short", "figures.md").read_text()
+        self.assertEqual(page.count("inkbench compare"), 1)
+        self.assertIn("- of-a-file: `inkbench compare square.obj --methods", page)
+        self.assertNotIn(DESK.name, page)
+
     def test_check_reads_options_alone(self):
         self.assertEqual(script("--check", "--width", "3.3in").returncode, 0)
         self.assertEqual(script("--check", "--width", "3.3").returncode, 2)
+
+
+class Answer(unittest.TestCase):
+    """Figures say what the run says: its winner, its intervals, its digits."""
+
+    def figures(self, out, *words):
+        done = subprocess.run([tiny_runs.PROGRAM, "figures", folder("seven"), "--only",
+                               "verdict,differences,f,error_time", "--out", out, *words], text=True,
+                              capture_output=True, cwd=DESK.name)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return Path(DESK.name, out)
+
+    def cells(self, out):
+        """The lines of the LaTeX table by method: F, interval, ms as verdict.md writes them."""
+        lines = {}
+        for line in (out / "verdict.tex").read_text().splitlines():
+            if " & " in line and not line.startswith(("&", "method")):
+                cells = [re.sub(r"\\textbf\{(.*?)\}", r"\1", cell) for cell in line.split(" & ")]
+                shown = [re.sub(r"\b0\.", ".", cell).replace("--", "-") for cell in cells[1:3]]
+                lines[cells[0].replace("\\", "")] = [*shown, cells[3].replace("--", "-")]
+        return lines
+
+    def test_is_that_of_the_run(self):
+        out, said = self.figures("answer"), Path(folder("seven"), "verdict.md").read_text()
+        for method, f, interval, ms in re.findall(
+                r"^\| (\w+)(?: \*)? \| (\S+) \| (\S+) \|.*\| (\S+) \| \S+ \| \S+ \|$", said, re.M):
+            self.assertEqual(self.cells(out)[method], [f, interval, ms])
+        self.assertEqual(len(self.cells(out)), 8)
+        answer, digits = re.search(r"^\*\*(\w+)\*\*: (F \S+ in \S+ ms)", said, re.M).groups()
+        bold = answer.replace("_", r"\_")
+        self.assertIn(rf"\textbf{{{bold}}}", (out / "verdict.tex").read_text())
+        self.assertEqual((out / "figures.md").read_text().count(f"- the answer: {answer}, {digits}\n"), 3)
+
+    def test_of_some_scenes_is_that_of_their_own_run(self):
+        scenes = "cube,tiles,torus,blocks,gear,gem"
+        out = self.figures("six", "--scenes", scenes)
+        words = [scenes if "cube" in word else word for word in tiny_runs.COMMANDS["seven"]]
+        own = Path(DESK.name, "own")
+        subprocess.run([tiny_runs.PROGRAM, *words, "--size", "160x90", "--quiet", "--out", str(own)],
+                       check=True, capture_output=True)
+        for name in ("summary.csv", "differences.csv"):
+            made, meant = (pd.read_csv(path / name) for path in (out, own))
+            kept = [c for c in made if not c.startswith("draw_ms") and c not in ("answer", "ap")]
+            pd.testing.assert_frame_equal(made[kept], meant[kept])
+        self.assertIn("made of cube, tiles, torus", (out / "figures.md").read_text())
+        self.assertEqual(set(self.cells(out)), set(pd.read_csv(own / "summary.csv")["method"]))
+        self.assertIn("summary.csv is over all scenes",
+                      script(folder("seven"), "--scenes", "cube", "--only", "verdict").stdout)
 
 
 class Layout(unittest.TestCase):

@@ -9,6 +9,9 @@ _SMALL = ["--size", "160x90", "--quiet"]
 COMMANDS = {
     "compare": ["compare", "--scenes", "cube,tiles", "--methods", METHODS, "--repetitions", "2",
                 "--views", "2"],
+    "seven": ["compare", "--scenes", "cube,tiles,torus,blocks,gear,gem,hills", "--methods",
+              "mote4,surface8,id_lookup,roberts", "--repetitions", "2", "--views", "1", "--no-sweep",
+              "--no-crosscheck", "--images", "none"],
     "stress": ["stress", "--methods", "mote4,ids", "--axes", "grazing,threads", "--points", "3"],
     "motion": ["run", "experiments/animation.toml", "--methods", "mote4,ids", "--scenes", "torus"],
     "grid": ["run", "experiments/offset_errors.toml", "--scenes", "cube"],

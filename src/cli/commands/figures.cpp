@@ -13,14 +13,19 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/name_list.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
+#include "core/whole_file.h"
+#include "experiment/run_data.h"
 #include "harness/cell.h"
 #include "methods/method_configs.h"
+#include "summary/paired_differences.h"
+#include "summary/summary_csv.h"
 
 namespace ink::cli {
 namespace {
@@ -144,6 +149,12 @@ void run_script(const std::vector<std::string>& words) {
     if (const int code = run_figures_script(words); code != 0) throw CLI::RuntimeError(code);
 }
 
+/// What can be wrong with the script's options is found before any work.
+void check_script_options(std::vector<std::string> words) {
+    words.emplace_back("--check");
+    run_script(words);
+}
+
 /// Options that say how a run is made mean nothing for one that is there.
 void refuse_run_options(const CLI::App& command) {
     const std::vector<std::string> of_figures = {"--out",
@@ -169,6 +180,32 @@ void refuse_run_options(const CLI::App& command) {
     }
 }
 
+/// summary.csv and differences.csv of a run's folder are over all its scenes. Writes those of the
+/// scenes that are asked for into the folder of the figures, by the run's own rule, average
+/// precision left out; false if no run has such tables.
+bool wrote_tables_of_scenes(const FiguresArgs& args, const std::vector<std::string>& folders) {
+    for (const std::string& folder : folders) {
+        experiment::RunData run = experiment::read_run(folder);
+        std::vector<harness::Row>& rows = run.tables.rows;
+        if (!run.texts.contains("summary.csv")) continue;
+        NameList known;
+        for (const harness::Row& row : rows)
+            known.add_implied(row.scene);
+        const auto scenes = listed_names(args.scenes.listed, {"--scenes", "scene", known.names()});
+        std::erase_if(rows, [&](const harness::Row& row) {
+            return std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end();
+        });
+        const fs::path out = args.folder.out;
+        fs::create_directories(out);
+        core::write_whole_file(out / "summary.csv",
+                               summary::summary_csv(rows, {}, run.record.answer));
+        core::write_whole_file(out / "differences.csv",
+                               summary::differences_csv(summary::all_paired_differences(rows)));
+        return true;
+    }
+    return false;
+}
+
 void show_runs(const FiguresArgs& args,
                const std::vector<std::string>& runs,
                const CLI::App& command) {
@@ -181,8 +218,11 @@ void show_runs(const FiguresArgs& args,
     std::vector<std::string> words = script_options(args);
     if (!args.methods.empty())
         words.push_back(fmt::format("--methods={}", fmt::join(args.methods, ",")));
-    if (!args.scenes.listed.empty())
+    if (!args.scenes.listed.empty()) {
         words.push_back(fmt::format("--scenes={}", fmt::join(args.scenes.listed, ",")));
+        check_script_options(words);
+        if (wrote_tables_of_scenes(args, runs)) words.emplace_back("--tables-of-scenes");
+    }
     if (!args.views.views.empty()) words.push_back("--views=" + args.views.views);
     words.emplace_back("--");
     words.insert(words.end(), runs.begin(), runs.end());
@@ -197,7 +237,7 @@ experiment::Experiment experiment_of(const FiguresArgs& args) {
     return experiment;
 }
 
-/// Makes the run first. What can be wrong with the figures' options is found before that.
+/// Makes the run first.
 void make_and_show(const FiguresArgs& args, const CLI::App& command) {
     experiment::Experiment experiment = experiment_of(args);
     experiment.command = recorded_command(command,
@@ -212,9 +252,7 @@ void make_and_show(const FiguresArgs& args, const CLI::App& command) {
     std::vector<std::string> words = script_options(args);
     words.emplace_back("--scenes=*");
     words.emplace_back("--views=all");
-    std::vector<std::string> check = words;
-    check.emplace_back("--check");
-    run_script(check);
+    check_script_options(words);
     const fs::path run = fs::path(args.folder.out) / "run";
     int code = 0;
     try {
