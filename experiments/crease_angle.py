@@ -11,30 +11,17 @@ METHODS is a list a,b as `inkbench compare` takes it, and so are scenes and opti
 the catalogue. Exit code 2: the program refused.
 """
 
-import subprocess
-import sys
-import tempfile
-
 import pandas as pd
 
-from run_tables import pooled_f, print_heads, read, scored, words_of
+from run_tables import compared, pooled_f, print_heads, words_of
 
 ANGLES_DEG = (20, 30, 40, 50, 60, 180)
-SCORED = {0, 3}  # exit codes of compare: done, and done without a score on some views
 
 
 def measure(program, methods, scenes, angle_deg, settings):
     """F by method and part, in the order of rows, with the truth's creases from `angle_deg` on."""
-    with tempfile.TemporaryDirectory() as folder:
-        words = [program, "compare", *scenes, "--methods", methods,
-                 "--crease", str(angle_deg), *settings, "--no-sweep", "--no-crosscheck", "--quiet",
-                 "--images", "none", "--repetitions", "1", "--out", folder]
-        ran = subprocess.run(words, capture_output=True, text=True)
-        if ran.returncode not in SCORED:
-            print(ran.stderr.strip(), file=sys.stderr)
-            raise SystemExit(2)
-        rows, = read(folder, "rows.csv")
-    groups = scored(rows).groupby(["method", "split"], sort=False)
+    rows = compared(program, *scenes, "--methods", methods, "--crease", str(angle_deg), *settings)
+    groups = rows.groupby(["method", "split"], sort=False)
     return pooled_f(groups[["k_2px", "n_pred", "n_truth"]].sum())
 
 

@@ -11,26 +11,18 @@ two columns are the largest distances from what was measured on one scene with a
 percentage points. Exit code 2: a folder has no such table.
 """
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 
-from run_tables import print_heads, words_of
+from run_tables import print_heads, read, words_of
 
 BIN_DEG = 10
 FEWEST_PX = 500
 
 
 def read_creases(folder):
-    path = Path(folder) / "cancellation.csv"
-    if not path.exists():
-        print(f"law_of_misses.py: {path} is missing: no method of the run declares a code, or the run has no images",
-              file=sys.stderr)
-        raise SystemExit(2)
-    places = pd.read_csv(Path(folder) / "rows.csv", usecols=["cell", "method", "scene", "split"])
-    lines = pd.read_csv(path).merge(places, on="cell")
+    rows, lines = read(folder, "rows.csv", "cancellation.csv")
+    lines = lines.merge(rows[["cell", "method", "scene", "split"]], on="cell")
     lines = lines[lines["class"] == "crease"].copy()
     half_d = np.radians((lines.dihedral_low_deg + BIN_DEG / 2) / 2)
     half_s = np.radians(lines.silent_deg / 2)

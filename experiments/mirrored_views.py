@@ -12,7 +12,6 @@ the root of the sum of their squares. Exit code 2: the program refused.
 
 import argparse
 import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -20,17 +19,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from run_tables import print_heads, read, scored
-
-SCORED = {0, 1, 3}  # exit codes of compare: done, and done without a score on all or some views
-
-
-def run(words, accepted):
-    ran = subprocess.run(words, capture_output=True, text=True)
-    if ran.returncode not in accepted:
-        print(ran.stderr.strip(), file=sys.stderr)
-        raise SystemExit(2)
-    return ran.stdout
+from run_tables import compared, print_heads, said
 
 
 def mirror(source, target):
@@ -46,28 +35,27 @@ def mirror(source, target):
             out.write(line)
 
 
-def compare(program, mesh, camera, size, folder):
+def compare(program, mesh, camera, size):
     def triple(values):
         return ",".join(repr(float(v)) for v in values)
-    run([program, "compare", mesh, f"--eye={triple(camera['eye'])}", f"--target={triple(camera['target'])}",
-         f"--up={triple(camera['up'])}", f"--fov={camera['fov_y_deg']!r}", "--size", size, "--no-sweep", "--no-times",
-         "--no-crosscheck", "--no-cache", "--images", "none", "--quiet", "--out", folder, "--force"], SCORED)
-    rows, = read(folder, "rows.csv")
-    return scored(rows).set_index("method")[["k_2px", "n_pred", "n_truth"]]
+    rows = compared(
+        program, mesh, f"--eye={triple(camera['eye'])}", f"--target={triple(camera['target'])}",
+        f"--up={triple(camera['up'])}", f"--fov={camera['fov_y_deg']!r}", "--size", size, "--no-cache")
+    return rows.set_index("method")[["k_2px", "n_pred", "n_truth"]]
 
 
 def both_sides(program, scene, size, folder):
     """Counts of each method on a view as it is and mirrored; None where the view has no score."""
     exported = folder / "exported"
-    lines = run([program, "export", scene, "--views", "1", "--size", size, "-o", exported], {0}).splitlines()
+    lines = said([program, "export", scene, "--views", "1", "--size", size, "-o", exported]).splitlines()
     view_folder = exported / lines[1].split(",")[-1]
     camera = json.loads((view_folder / "camera.json").read_text())["camera"]
     mesh = view_folder.parent / "mesh.obj"
     mirrored = folder / "mirrored.obj"
     mirror(mesh, mirrored)
     other = {name: [-value[0], *value[1:]] if name in ("eye", "target", "up") else value for name, value in camera.items()}
-    a = compare(program, mesh, camera, size, folder / "plain")
-    b = compare(program, mirrored, other, size, folder / "mirror")
+    a = compare(program, mesh, camera, size)
+    b = compare(program, mirrored, other, size)
     return a.join(b, rsuffix="_mirrored", how="inner") if len(a) and len(b) else None
 
 
@@ -86,7 +74,7 @@ def main():
     parser.add_argument("scenes", nargs="*")
     parser.add_argument("--size", default="640x360")
     arguments = parser.parse_args()
-    listed = json.loads(run([arguments.program, "list", "scenes", "--json"], {0}))
+    listed = json.loads(said([arguments.program, "list", "scenes", "--json"]))
     scenes = arguments.scenes or [scene["name"] for scene in listed["scenes"]]
     found = []
     with tempfile.TemporaryDirectory() as folder:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from run_tables import print_heads, read, scored, words_of
+from run_tables import pooled_f, print_heads, read, scored, words_of
 
 PARTS = ("train", "heldout", "real")
 COUNTS = ["k_2px", "n_pred", "n_truth"]
@@ -28,18 +28,12 @@ def read_run(folder):
     return rows, sweep[sweep.status == "ok"].merge(facts, on="cell")
 
 
-def pooled_f(lines):
-    """F of summed counts."""
-    sums = lines[COUNTS].sum()
-    return 2 * sums.k_2px / max(sums.n_pred + sums.n_truth, 1)
-
-
 def scores(lines, parts):
     """F by part, and the least of a real model."""
-    texts = [f"{pooled_f(lines[lines.split == part]):.4f}" for part in parts]
+    texts = [f"{pooled_f(lines[lines.split == part][COUNTS].sum()):.4f}" for part in parts]
     if "real" in parts:
         real = lines[lines.split == "real"]
-        least = min((pooled_f(of), scene) for scene, of in real.groupby("scene"))
+        least = min((pooled_f(of[COUNTS].sum()), scene) for scene, of in real.groupby("scene"))
         texts.append(f"{least[0]:.3f} ({least[1]})")
     return " | ".join(texts)
 

@@ -1,6 +1,8 @@
 """What the scripts beside this file share: their words, and the tables of run folders."""
 
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pandas as pd
@@ -24,6 +26,23 @@ def read(folder, *names, by="compare"):
     except (OSError, ValueError) as reason:
         print(f"{folder}: {reason} (accepted: a folder that inkbench {by} wrote)", file=sys.stderr)
         raise SystemExit(2) from None
+
+
+def said(words, accepted=(0,)):
+    """What a program prints; exit code 2 with its own message where it refuses."""
+    ran = subprocess.run(words, capture_output=True, text=True)
+    if ran.returncode not in accepted:
+        print(ran.stderr.strip(), file=sys.stderr)
+        raise SystemExit(2)
+    return ran.stdout
+
+
+def compared(program, *words):
+    """The scored rows of `inkbench compare` with these words, without times, sweeps, checks and images."""
+    with tempfile.TemporaryDirectory() as folder:
+        said([program, "compare", *words, "--no-sweep", "--no-times", "--no-crosscheck", "--images", "none", "--quiet",
+              "--out", folder], (0, 1, 3))  # 1 and 3: all or some views have no score
+        return scored(read(folder, "rows.csv")[0])
 
 
 def scored(rows, without=("none", "oracle")):

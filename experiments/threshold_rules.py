@@ -12,8 +12,9 @@ F at 2 px to the method's own threshold, on each part of the suite that the runs
 import numpy as np
 import pandas as pd
 
-from run_tables import BASELINES, print_heads, read, scored, words_of
+from run_tables import BASELINES, pooled_f, print_heads, read, scored, words_of
 
+COUNTS = ["k", "n_pred", "n_truth"]
 LIMITS = (0.05, 0.1, 0.15, 0.2, 0.3, 0.4)
 
 
@@ -22,11 +23,6 @@ def read_curves(folder):
     rows, curves = read(folder, "rows.csv", "curves.csv")
     facts = scored(rows, BASELINES)[["cell", "method", "split", "threshold"]].rename(columns={"threshold": "own"})
     return curves.merge(facts, on="cell").assign(run=str(folder))
-
-
-def pooled_f(picked):
-    """F of summed counts."""
-    return 2 * picked.k.sum() / max((picked.n_pred + picked.n_truth).sum(), 1)
 
 
 def own_line(curve):
@@ -66,9 +62,9 @@ def table(curves):
             picked = [curve.iloc[rule(curve)] for curve in cells]
             gains = []
             for part in parts:
-                here, there = (pd.DataFrame([line for line in lines if line.split == part])
+                here, there = (pooled_f(pd.DataFrame([line for line in lines if line.split == part])[COUNTS].sum(), "k")
                                for lines in (picked, own))
-                gains.append(f"{pooled_f(here) - pooled_f(there):+.3f}")
+                gains.append(f"{here - there:+.3f}")
             print(f"| `{method}` | {name} | " + " | ".join(gains) + " |")
 
 
