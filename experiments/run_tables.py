@@ -10,12 +10,17 @@ import pandas as pd
 BASELINES = {"none", "sampled", "exact_corner", "oracle"}
 
 
+def refuse(message):
+    """Ends the script: what it was given cannot be used."""
+    print(message, file=sys.stderr)
+    raise SystemExit(2)
+
+
 def words_of(page, least=1, most=None):
     """The words of the command line; exit code 2 and the page where they are too few or too many."""
     words = sys.argv[1:]
     if not least <= len(words) <= (most or len(words)):
-        print(page.strip(), file=sys.stderr)
-        raise SystemExit(2)
+        refuse(page.strip())
     return words
 
 
@@ -24,24 +29,22 @@ def read(folder, *names, by="compare"):
     try:
         return [pd.read_csv(Path(folder) / name) for name in names]
     except (OSError, ValueError) as reason:
-        print(f"{folder}: {reason} (accepted: a folder that inkbench {by} wrote)", file=sys.stderr)
-        raise SystemExit(2) from None
+        refuse(f"{folder}: {reason} (accepted: a folder that inkbench {by} wrote)")
 
 
-def said(words, accepted=(0,)):
-    """What a program prints; exit code 2 with its own message where it refuses."""
+def said(words, accepted=(0,), on_refusal=refuse):
+    """What a program prints; where it refuses, its own message goes to `on_refusal`."""
     ran = subprocess.run(words, capture_output=True, text=True)
     if ran.returncode not in accepted:
-        print(ran.stderr.strip(), file=sys.stderr)
-        raise SystemExit(2)
+        on_refusal(ran.stderr.strip())
     return ran.stdout
 
 
-def compared(program, *words):
+def compared(program, *words, on_refusal=refuse):
     """The scored rows of `inkbench compare` with these words, without times, sweeps, checks and images."""
     with tempfile.TemporaryDirectory() as folder:
         said([program, "compare", *words, "--no-sweep", "--no-times", "--no-crosscheck", "--images", "none", "--quiet",
-              "--out", folder], (0, 1, 3))  # 1 and 3: all or some views have no score
+              "--out", folder], (0, 1, 3), on_refusal)  # 1 and 3: all or some views have no score
         return scored(read(folder, "rows.csv")[0])
 
 

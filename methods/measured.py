@@ -22,18 +22,16 @@ or the program is not as it must be; no page is then half-written.
 """
 
 import argparse
-import csv
 import re
 import shlex
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "experiments"))
+from run_tables import BASELINES, compared  # noqa: E402
+
 BLOCK = re.compile(r"<!-- measured: (?P<asked>.*?)-->\n(?P<table>.*?)<!-- /measured -->", re.DOTALL)
-BASELINES = {"none", "sampled", "exact_corner", "oracle"}
-SCORED = {0, 3}  # exit codes of compare: done, and done without a score on some views
 
 
 class BadPage(Exception):
@@ -43,28 +41,17 @@ class BadPage(Exception):
         super().__init__(f"{where}: {what} (accepted: {accepted})")
 
 
-def share(over, under):
-    """over / under with three digits; "-" where there is nothing to divide by."""
-    return f"{over / under:.3f}" if under else "-"
-
-
-def total(rows, column):
-    return sum(int(row[column]) for row in rows if row[column])
-
-
 def value(rows, column, where):
-    """One column over the scored rows of a method, as text."""
-    if column == "f_2px":
-        return share(2 * total(rows, "k_2px"), total(rows, "n_pred") + total(rows, "n_truth"))
-    if column == "precision_2px":
-        return share(total(rows, "k_2px"), total(rows, "n_pred"))
-    if column == "recall_2px":
-        return share(total(rows, "k_2px"), total(rows, "n_truth"))
+    """One column over the scored rows of a method, as text; "-" where there is nothing to divide by."""
     group = column.removeprefix("recall_")
-    if group != column and rows and f"k_{group}" in rows[0]:
-        return share(total(rows, f"k_{group}"), total(rows, f"truth_px_{group}"))
-    raise BadPage(where, f"there is no column {column}",
-                  "f_2px, precision_2px, recall_2px, recall_CLASS")
+    under = {"f_2px": ["n_pred", "n_truth"], "precision_2px": ["n_pred"], "recall_2px": ["n_truth"]}.get(
+        column, [f"truth_px_{group}"])
+    over = f"k_{group}" if under[0] == f"truth_px_{group}" else "k_2px"
+    if not {over, *under} <= set(rows):
+        raise BadPage(where, f"there is no column {column}",
+                      "f_2px, precision_2px, recall_2px, recall_CLASS")
+    k, n = len(under) * rows[over].sum(), rows[under].sum().sum()
+    return f"{k / n:.3f}" if n else "-"
 
 
 def heading(column):
@@ -75,16 +62,12 @@ def heading(column):
 def measure(program, options, setting, where):
     """The scored rows of the method that `compare` draws with one setting."""
     sets = [] if setting == "-" else [part for pair in setting.split() for part in ("--set", pair)]
-    with tempfile.TemporaryDirectory() as folder:
-        command = [program, "compare", *options, *sets, "--no-sweep", "--no-crosscheck",
-                   "--images", "none", "--repetitions", "1", "--quiet", "--out", f"{folder}/run"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode not in SCORED:
-            said = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
-            raise BadPage(where, said[-1], "options and settings of inkbench compare")
-        with open(f"{folder}/run/rows.csv", encoding="utf-8", newline="") as file:
-            rows = list(csv.DictReader(file))
-    return [row for row in rows if row["method"] not in BASELINES and row["status"] == "ok"]
+
+    def refuse(said):
+        raise BadPage(where, said, "options and settings of inkbench compare")
+
+    rows = compared(program, *options, *sets, on_refusal=refuse)
+    return rows[~rows.method.isin(BASELINES)]
 
 
 def table(program, asked, where):

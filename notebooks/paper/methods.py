@@ -48,7 +48,7 @@ def f_by_method(runs, style):
     best = summary.loc[methods, "f_2px"].sort_values(ascending=False)
     facts = answer_of(summary.loc[methods])[1] + ["highest F: " + "; ".join(
         f"{m} {summary.loc[m, 'f_2px']:.3f}{_interval(summary.loc[m])}" for m in best.index[:3])]
-    return Chart(figure, "F at 2 px of each method over all scenes, with 95 % intervals (scenes "
+    return Chart(figure, "F at 2 px of each method, with 95 % intervals (scenes "
                  "resampled with all their views). " + _extent(runs) + runs.source("summary.csv"),
                  facts)
 
