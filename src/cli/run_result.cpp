@@ -118,7 +118,20 @@ void print_warnings(const experiment::RunRecord& record,
                folder.string());
 }
 
+/// verdict.md of a comparison of one size and number of threads.
+void write_verdict_of(const experiment::RunData& run) {
+    if (run.tables.rows.empty()) return;
+    core::write_whole_file(run.folder / "verdict.md",
+                           report::verdict_markdown(run.tables.rows, verdict_options(run.record)));
+}
+
 }  // namespace
+
+void write_verdict(const fs::path& folder) {
+    experiment::RunData run = experiment::read_run(folder);
+    experiment::keep_one_place(run.tables);
+    write_verdict_of(run);
+}
 
 void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, bool is_json) {
     experiment::RunData run = experiment::read_run(folder);
@@ -129,11 +142,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     const bool is_without_score =
         run.record.missing_blocks.empty() && summary::is_all_unscored(run.tables.rows);
     experiment::keep_one_place(run.tables);
-    const std::vector<harness::Row>& rows = run.tables.rows;
-    if (!rows.empty()) {
-        core::write_whole_file(folder / "verdict.md",
-                               report::verdict_markdown(rows, verdict_options(run.record)));
-    }
+    write_verdict_of(run);
     if (is_json) {
         fmt::print("{}\n", result_json(run, unscored, page).dump(2));
     } else {

@@ -16,4 +16,7 @@ void conclude(const experiment::RunOutcome& outcome,
               const std::filesystem::path& folder,
               bool is_json);
 
+/// Writes verdict.md of a comparison from the tables in its folder; nothing for another run.
+void write_verdict(const std::filesystem::path& folder);
+
 }  // namespace ink::cli

@@ -146,7 +146,7 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     std::error_code ignored;
     fs::create_directories(options.out, ignored);
     const FolderLock lock(options.out, !options.shard.is_all());
-    const RunRecord mine = record_of(plan);
+    RunRecord mine = record_of(plan);
     take_folder(options.out, mine, options.is_forced);
     if (options.shard.is_all()) store.remove_leftovers();
     const auto there = read_record(options.out);
@@ -174,19 +174,18 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
         const auto write = options.shard.is_all() ? write_run : write_shard;
         return write(store, mine, work.missing_of_plan());
     };
-    const core::InterruptGuard guard({}, [&] { (void)write_up(); });
+    const core::InterruptGuard guard({}, [&] {
+        (void)write_up();
+        options.cut_off();
+    });
     const bool is_done = work.run(options.lanes, options.say);
+    mine.work_parts = work.stages().text();
     RunOutcome outcome;
     core::write_unless_cut_off([&] { outcome = write_up(); });
     outcome.is_interrupted = !is_done;
     if (is_done) {
         const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-        const std::string stages = work.stages().text();
-        options.say(fmt::format("done after {}{}{}{}",
-                                duration_text(elapsed_s),
-                                work.lanes_text(),
-                                stages.empty() ? "" : ": ",
-                                stages));
+        options.say(fmt::format("done in {}{}", duration_text(elapsed_s), work.lanes_text()));
     }
     return outcome;
 }

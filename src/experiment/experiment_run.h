@@ -23,6 +23,9 @@ struct RunOptions {
     int lanes = 0;
     bool is_forced = false;  ///< a run that is in `out`, this one or another, is thrown away
     std::function<void(const std::string&)> say = [](const std::string&) {};  ///< takes a line
+    /// Called when the program is about to be cut off (core::InterruptGuard), with the tables of
+    /// what is finished in `out`.
+    std::function<void()> cut_off = [] {};
 };
 
 /// How a run or a merge ended.

@@ -48,7 +48,10 @@ toml::table progress_of(const RunRecord& record) {
                          {"blocks", record.blocks},
                          {"blocks_done", record.blocks_done},
                          {"cells", record.cells}};
-    if (record.times) progress.insert("work_s", record.work_s);
+    if (record.times) {
+        progress.insert("work_s", record.work_s);
+        if (!record.work_parts.empty()) progress.insert("work_parts", record.work_parts);
+    }
     if (!record.missing_blocks.empty())
         progress.insert("missing", methods::array_of(record.missing_blocks));
     if (!record.faults.empty()) progress.insert("faults", methods::array_of(record.faults));
@@ -80,20 +83,34 @@ std::vector<ModelFacts> models_of(const toml::node_view<const toml::node>& node)
     return models;
 }
 
-/// The first line in which two documents differ, "a" against "b"; "" if none does.
-std::string first_difference(const std::string& there, const std::string& mine) {
-    std::istringstream a(there);
-    std::istringstream b(mine);
-    std::string of_a;
-    std::string of_b;
-    while (true) {
-        const bool has_a = static_cast<bool>(std::getline(a, of_a));
-        const bool has_b = static_cast<bool>(std::getline(b, of_b));
-        if (!has_a && !has_b) return "";
-        if (!has_a) of_a = "nothing";
-        if (!has_b) of_b = "nothing";
-        if (of_a != of_b) return fmt::format("there {}, here {}", of_a, of_b);
+/// The entries of a document: its lines, a list that takes several as one.
+std::vector<std::string> entries_of(const std::string& text) {
+    std::istringstream lines(text);
+    std::vector<std::string> entries;
+    bool is_open = false;
+    for (std::string line; std::getline(lines, line);) {
+        line.erase(0, line.find_first_not_of(' '));
+        if (is_open) {
+            entries.back() += (line.starts_with(']') ? "" : " ") + line;
+        } else {
+            entries.push_back(line);
+        }
+        const std::string& entry = entries.back();
+        is_open = entry.find("= [") != std::string::npos && !entry.ends_with(']');
     }
+    return entries;
+}
+
+/// The first entry in which two documents differ, "there a, here b"; "" if none does.
+std::string first_difference(const std::string& there, const std::string& mine) {
+    const std::vector<std::string> a = entries_of(there);
+    const std::vector<std::string> b = entries_of(mine);
+    const auto [of_a, of_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    if (of_a == a.end() && of_b == b.end()) return "";
+    const auto shown = [](const auto& entry, const auto& all) {
+        return entry == all.end() ? std::string("nothing") : *entry;
+    };
+    return fmt::format("there {}, here {}", shown(of_a, a), shown(of_b, b));
 }
 
 }  // namespace
@@ -136,6 +153,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.blocks_done = progress["blocks_done"].value_or(0);
     record.cells = progress["cells"].value_or(0);
     record.work_s = progress["work_s"].value_or(0.0);
+    record.work_parts = progress["work_parts"].value_or(std::string());
     record.missing_blocks = methods::texts_of(progress["missing"]);
     record.faults = methods::texts_of(progress["faults"]);
     const toml::table* asked = root["asked"].as_table();

@@ -48,7 +48,7 @@ class Tuner {
             const core::ParamValues settings = space_.settings_at(point);
             const auto known = tried_.find(settings);
             if (known != tried_.end()) return SearchValue{known->second, false};
-            progress_.report(done_++, fmt::format("{}, best {:.4f}", phase, best_));
+            progress_.report(done_++, progress_text(phase));
             const TuneValue found = candidate(settings);
             best_ = std::min(best_, found.value);
             tried_[settings] = found.value;
@@ -58,6 +58,15 @@ class Tuner {
     }
 
   private:
+    /// Where it looks, and how good the best is.
+    [[nodiscard]] std::string progress_text(std::string_view phase) const {
+        const char* where = phase == "local"    ? "near the best"
+                            : phase == "global" ? "in the whole space"
+                                                : "at random";
+        const std::string best = best_ > 1 ? "" : fmt::format(", least error {:.4f}", best_);
+        return phase == "start" ? "at the start" + best : where + best;
+    }
+
     /// By planes where that can be, unless it may be the best yet: that the method itself decides.
     /// Hangs on the search alone and on nothing that is on disk already.
     [[nodiscard]] TuneValue candidate(const core::ParamValues& settings) {

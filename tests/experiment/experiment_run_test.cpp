@@ -254,6 +254,16 @@ TEST_F(ExperimentRun, RefusesAFolderOfAnotherPlanOrAnotherRun) {
                 HasSubstr("another run"));
 }
 
+TEST_F(ExperimentRun, ShowsBothListsWhereAnotherRunHasAnother) {
+    Plan plan = counting_plan(1, runs_);
+    plan.asked = "scenes = [\n    'cube',\n    'torus'\n]\nviews = 2\n";
+    (void)run_experiment(plan, into("a"));
+    plan.asked = "scenes = [ 'cube' ]\nviews = 2\n";
+    plan.identity = "another";
+    EXPECT_THAT(core::error_text([&] { (void)run_experiment(plan, into("a")); }),
+                HasSubstr("there scenes = [ 'cube', 'torus' ], here scenes = [ 'cube' ] ("));
+}
+
 TEST_F(ExperimentRun, KeepsWhatIsFinishedWhenTheDiskIsFull) {
     Plan plan = counting_plan(3, runs_);
     const auto good = plan.blocks[1].run;

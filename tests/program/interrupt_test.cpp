@@ -17,6 +17,7 @@ namespace {
 
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kInterrupted = 130;
@@ -98,6 +99,7 @@ TEST(CtrlC, SavesWhatIsFinishedWhileALargeSceneIsWorkedOn) {
     for (const auto& row : rows)
         EXPECT_EQ(row.at("scene"), "cube");
     EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("unfinished"));
+    EXPECT_THAT(desk.read("out/verdict.md"), StartsWith("This run is not finished: "));
 }
 
 TEST(CtrlC, EndsATimeDemoOfALargeSceneInTwoSeconds) {

@@ -171,7 +171,7 @@ std::map<std::string, std::uintmax_t> Desk::inventory() const {
 
 std::string without_progress(const std::string& err) {
     static const std::regex kProgress(
-        R"(^([^:]+: \d+/\d+(, .*)?|\S+: (all )?\d+ cells .*|still about .*|done after .*)$)");
+        R"(^([^:]+: \d+/\d+(, .*)?|\S+: (all )?\d+ cells .*|still about .*|done in .*)$)");
     std::istringstream lines(err);
     std::string rest;
     for (std::string line; std::getline(lines, line);)

@@ -177,6 +177,7 @@ void run_to_end(const CLI::App& command,
                                   : std::filesystem::path(options.out);
     run.is_forced = options.is_forced;
     run.lanes = options.lanes;
+    run.cut_off = [&] { write_verdict(run.out); };
     if (!core::progress_display().is_quiet) run.say = say;
     const experiment::Plan plan = make_plan(experiment, cache_folder(cache));
     if (options.is_dry) {
