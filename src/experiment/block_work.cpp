@@ -70,9 +70,13 @@ std::string BlockWork::heading(const Shard& shard) const {
 /// "about 3 min ...", and what it goes by.
 std::string BlockWork::estimate() const {
     const double left = work_of(missing_);
+    constexpr double kFolder_s = 1;  // models are read, tables and page written
     if (known_work_ <= 0) {
+        // The largest scene is one lane's, while the others end.
+        const std::vector<Group> groups = missing_groups();
+        const double longest = groups.empty() ? 0 : work_of(groups.front()) / kShareOfTwoLanes;
         return fmt::format("about {} by the size of scenes and images, on two idle cores",
-                           duration_text(left));
+                           duration_text(std::max(left, longest) + kFolder_s));
     }
     return fmt::format("about {} by the {} finished blocks",
                        duration_text(left * known_s_ / known_work_),

@@ -28,8 +28,6 @@ constexpr int kMotionFrames = 24;
 /// In the mean of all methods over the catalogue, of one lane.
 constexpr double kPrepare_s_per_triangle = 2.5e-7;
 constexpr double kTruth_s_per_triangle = 2.5e-6;
-/// Two lanes at work; they wait for each other now and then.
-constexpr double kShareOfTwoLanes = 0.55;
 
 std::string place_text(const ViewBench& bench, const BlockPlace& at) {
     return fmt::format("{} {} {}x{} threads {}",
@@ -48,8 +46,8 @@ struct BlockWork {
 };
 
 /// Seconds for a block of a view, roughly, on two cores without other work: a part for every cell,
-/// one for its pixels (scores) and one for its triangles (drawing), one for what is made ready, and
-/// the truth.
+/// one for its pixels (scores, images) and one for its triangles (drawing), one for what is made
+/// ready, and the truth.
 double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& work) {
     const Experiment& experiment = bench.experiment();
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
@@ -57,10 +55,12 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 3;
     const double draw_s = std::min(draws * (0.0025 * mpx + 2e-8 * triangles),
                                    work.is_full ? experiment.budget_ms * 1e-3 : 0.03);
+    const int drawn = work.is_full ? work.cells - harness::kBaselines : work.cells;
+    const double image_s = at.keeps_images ? 0.011 * mpx : 0;
     const double score_s = (work.is_full && experiment.full_scores ? 0.018 : 0.002) * mpx;
     const double truth_s =
         work.is_full ? 0.1 + 0.2 * mpx + kTruth_s_per_triangle * triangles : 0.003;
-    return kShareOfTwoLanes * (work.cells * (0.001 + draw_s + score_s) +
+    return kShareOfTwoLanes * (work.cells * (0.001 + score_s + image_s) + drawn * draw_s +
                                work.prepared * kPrepare_s_per_triangle * triangles + truth_s);
 }
 

@@ -32,6 +32,9 @@ struct BlockResult {
     StageTimes stages = {};                    ///< what it spent its time on, where that is known
 };
 
+/// What a block takes of two lanes' time: they wait for each other now and then.
+inline constexpr double kShareOfTwoLanes = 0.55;
+
 /// What is computed together: the cells of one view, whose drawings take turns (A B C A B C), so
 /// that a machine that slows down slows all alike. Blocks depend on nothing but the plan.
 struct Block {
