@@ -265,6 +265,7 @@ method::MethodConfig entrant_config(const Entrant& entrant, const EntrantLimits&
     return outside_config(
         entrant.name,
         entrant.path.string(),
+        entrant.is_program ? "a program from outside" : "images from outside",
         make_source,
         {{"entrant", entrant.path.string()},
          {"content", entrant.is_program ? file_hash(entrant.path) : folder_hash(entrant.path)}});
@@ -272,13 +273,14 @@ method::MethodConfig entrant_config(const Entrant& entrant, const EntrantLimits&
 
 method::MethodConfig outside_config(const std::string& name,
                                     const std::string& origin,
+                                    const std::string& summary,
                                     const std::function<harness::OutsideSource()>& make_source,
                                     const core::ParamValues& facts) {
     check_entrant_name(name, name);
     auto info = std::make_shared<method::MethodInfo>();
     info->name = name;
     info->source = fmt::format("outside: {}", origin);
-    info->summary = "images from outside";
+    info->summary = summary;
     info->params = entrant_table().params();
     info->family = method::Family::other;
     info->marker = method::Marker::cross;

@@ -42,12 +42,13 @@ struct EntrantLimits {
 
 /// A method whose images come from what `make_source` makes, as a configuration. Its parameters are
 /// `threshold` (128) and, for the record, `facts`; `origin` says in words where the images are
-/// from.
+/// from, `summary` what the method is.
 ///
 /// Throws core::Error (where = "--entrant") for a name that parse_entrant would refuse.
 [[nodiscard]] method::MethodConfig outside_config(
     const std::string& name,
     const std::string& origin,
+    const std::string& summary,
     const std::function<harness::OutsideSource()>& make_source,
     const core::ParamValues& facts = {});
 

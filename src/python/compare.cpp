@@ -54,7 +54,7 @@ method::MethodConfig function_config(const std::string& name,
                                      const Function& function,
                                      double crease_rad,
                                      const Thrown& thrown) {
-    return entrants::outside_config(name, "a function of Python", [=] {
+    return entrants::outside_config(name, "Python", "a function from outside", [=] {
         return [=](const scene::Scene& scene, const scene::View& view) {
             try {
                 return call(function,

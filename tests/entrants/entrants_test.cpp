@@ -151,6 +151,15 @@ TEST_F(Entrants, NamesAndPathsAreChecked) {
     EXPECT_FALSE(parse_entrant("mine=" + folder_.string()).is_program);
 }
 
+TEST_F(Entrants, AMethodSaysWhatItIs) {
+    const std::string program = write_program("draw.sh", "#!/bin/sh\n");
+    const auto summary = [](const std::string& path) {
+        return entrant_config(parse_entrant("mine=" + path)).info->summary;
+    };
+    EXPECT_EQ(summary(program), "a program from outside");
+    EXPECT_EQ(summary(folder_.string()), "images from outside");
+}
+
 TEST_F(Entrants, AnotherImageIsAnotherExperiment) {
     const auto params = [&] {
         const auto config = entrant_config(parse_entrant("mine=" + folder_.string()));
