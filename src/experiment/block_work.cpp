@@ -70,8 +70,8 @@ std::string BlockWork::heading(const Shard& shard) const {
 /// "about 3 min ...", and what it goes by.
 std::string BlockWork::estimate() const {
     const double left = work_of(missing_);
-    constexpr double kFolder_s = 1;  // models are read, tables and page written
     if (known_work_ <= 0) {
+        constexpr double kFolder_s = 1;  // models are read, tables and page written
         // The largest scene is one lane's, while the others end.
         const std::vector<Group> groups = missing_groups();
         const double longest = groups.empty() ? 0 : work_of(groups.front()) / kShareOfTwoLanes;

@@ -27,21 +27,21 @@ void add_side_tables(std::int64_t cell,
 /// The layers of what was drawn, where they are kept.
 using Layers = std::vector<harness::MethodLayers>;
 
-/// What all of `configs` draw of a view, as many at a time as fit into memory.
+/// What `count` methods draw of a view, as many at a time as fit into memory; `ready` is
+/// harness::ViewDrawings::ready.
+template <class Ready>
 std::vector<harness::Evaluation> draw(ViewBench& bench,
                                       const BlockPlace& at,
-                                      std::span<const method::MethodConfig> configs,
+                                      std::size_t count,
+                                      Ready ready,
                                       const harness::MeasureOptions& measure,
                                       StageTimes& stages,
                                       Layers* layers = nullptr) {
     harness::ViewDrawings drawings{
-        {*at.view}, configs.size(), bench.most_at_once(at.scene), {measure.skips}};
+        {*at.view}, count, bench.most_at_once(at.scene), {measure.skips}};
     drawings.ready = [&](std::size_t first, std::size_t end) {
         const StageTimer timer(stages, WorkStage::prepare, WorkStage::draw);
-        // The methods themselves come again with the next view.
-        return configs.data() == bench.configs().data()
-                   ? bench.methods(at.scene, first)
-                   : bench.prepared(configs.subspan(first, end - first), at.scene);
+        return ready(first, end);
     };
     if (layers != nullptr) {
         drawings.see = [&](std::size_t, const harness::Turn& turn, const auto& drawn) {
@@ -103,9 +103,14 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const harness::TracedView& traced = trace(bench, at, result.stages);
     const bool keeps_images = at.keeps_images && traced.has_truth();
     Layers layers;
+    // The same methods come again with the next view.
+    const auto ready = [&](std::size_t first, std::size_t) {
+        return bench.methods(at.scene, first);
+    };
     std::vector<harness::Evaluation> evaluations = draw(bench,
                                                         at,
-                                                        bench.configs(),
+                                                        bench.configs().size(),
+                                                        ready,
                                                         options.measure,
                                                         result.stages,
                                                         keeps_images ? &layers : nullptr);
@@ -141,8 +146,11 @@ BlockResult run_settings(ViewBench& bench,
     options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
     options.scores = harness::Scores::settings;
     BlockResult result;
+    const auto ready = [&](std::size_t first, std::size_t end) {
+        return bench.prepared(std::span(part.settings).subspan(first, end - first), at.scene);
+    };
     std::vector<harness::Evaluation> evaluations =
-        draw(bench, at, part.settings, options.measure, result.stages);
+        draw(bench, at, part.settings.size(), ready, options.measure, result.stages);
     const harness::TracedView& traced = trace(bench, at, result.stages);
     finish(bench.scenes()[at.scene], at, traced, options, evaluations, result.stages);
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
