@@ -34,6 +34,7 @@
     X(label8) \
     X(surface8) \
     X(surface16) \
+    X(surface_lookup) \
     X(auto)
 // clang-format on
 

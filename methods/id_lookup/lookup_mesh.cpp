@@ -1,14 +1,18 @@
 #include "methods/id_lookup/lookup_mesh.h"
 
+#include <fmt/format.h>
+#include <meshoptimizer.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
+#include "core/error.h"
 #include "scene/box.h"
 #include "scene/near_points.h"
 #include "scene/precision/rounding.h"
@@ -35,6 +39,11 @@ class Builder {
         : prepared_(scene), options_(options), welded_(scene.topology()) {}
 
     LookupMesh build() {
+        if (topology_.faces.size() > Twin::kMostFaces) {
+            throw core::Error("id_lookup",
+                              fmt::format("{} triangles", topology_.faces.size()),
+                              fmt::format("at most {}", Twin::kMostFaces));
+        }
         mesh_.p_world = topology_.p_world;
         list_faces();
         measure_objects();
@@ -42,6 +51,8 @@ class Builder {
         if (options_.weld_epsilon > 0) join_over_cracks();
         name_patches();
         map_triangles();
+        put_in_order();
+        add_planes();
         return std::move(mesh_);
     }
 
@@ -51,9 +62,8 @@ class Builder {
         for (const scene::Face& face : topology_.faces) {
             LookupFace& added = mesh_.faces.emplace_back();
             added.vertices = face.vertices;
-            added.beyond.fill(kNoNeighbour);
             added.kinds.fill(LineKind::boundary);
-            added.object = face.object;
+            mesh_.objects.push_back(face.object);
         }
     }
 
@@ -61,10 +71,10 @@ class Builder {
     void measure_objects() {
         std::vector<scene::Box> boxes(scene_.instances.size());
         mesh_.rounding_world.assign(scene_.instances.size(), 0);
-        for (const LookupFace& face : mesh_.faces) {
-            scene::Box& box = boxes[face.object];
-            double& rounding = mesh_.rounding_world[face.object];
-            for (const std::uint32_t v : face.vertices) {
+        for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+            scene::Box& box = boxes[mesh_.objects[f]];
+            double& rounding = mesh_.rounding_world[mesh_.objects[f]];
+            for (const std::uint32_t v : mesh_.faces[f].vertices) {
                 rounding = std::max(rounding, topology_.rounding_world[v]);
                 box.add(mesh_.p_world[v]);
             }
@@ -91,7 +101,7 @@ class Builder {
             }
             if (faces.size() <= 2) continue;
             for (const std::uint32_t f : faces) {
-                mesh_.faces[f].beyond[border(f, e).i] = LookupFace::kMany;
+                mesh_.faces[f].twins[border(f, e).i] = Twin::of_many();
                 mesh_.many.push_back({std::min(edge.a, edge.b), std::max(edge.a, edge.b), f});
             }
         }
@@ -101,20 +111,29 @@ class Builder {
     void join(const Border& one, const Border& other, bool is_crease) {
         LookupFace& f = mesh_.faces[one.face];
         LookupFace& g = mesh_.faces[other.face];
-        LineKind kind = f.object == g.object ? LineKind::none : LineKind::seam;
+        const bool is_one = mesh_.objects[one.face] == mesh_.objects[other.face];
+        LineKind kind = is_one ? LineKind::none : LineKind::seam;
         if (is_crease) kind = LineKind::crease;
-        f.beyond[one.i] = other.face;
-        g.beyond[other.i] = one.face;
+        const std::uint32_t a = f.vertices[one.i], b = f.vertices[(one.i + 1) % 3];
+        const std::uint32_t c = g.vertices[other.i], d = g.vertices[(other.i + 1) % 3];
+        const bool is_crack = !(a == c && b == d) && !(a == d && b == c);
+        const auto& p = mesh_.p_world;
+        const bool is_turned = is_crack ? glm::dot(p[d] - p[c], p[b] - p[a]) >= 0 : a == c;
+        const std::uint32_t flags = (is_turned ? Twin::kTurned : 0) |
+                                    (is_crack || kind != LineKind::none ? Twin::kClosed : 0);
+        f.twins[one.i].word = Twin::of(other.face, other.i).word | flags;
+        g.twins[other.i].word = Twin::of(one.face, one.i).word | flags;
         f.kinds[one.i] = g.kinds[other.i] = kind;
     }
 
     /// Where each vertex on a boundary of one object goes; others stay themselves.
     [[nodiscard]] std::vector<glm::dvec3> near_places() const {
         std::vector<std::vector<std::uint32_t>> parts(scene_.instances.size());
-        for (const LookupFace& face : mesh_.faces) {
+        for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+            const LookupFace& face = mesh_.faces[f];
             for (std::size_t i = 0; i < 3; ++i) {
-                if (face.beyond[i] != kNoNeighbour) continue;
-                auto& part = parts[face.object];
+                if (!face.twins[i].is_nothing()) continue;
+                auto& part = parts[mesh_.objects[f]];
                 part.insert(part.end(), {face.vertices[i], face.vertices[(i + 1) % 3]});
             }
         }
@@ -135,13 +154,13 @@ class Builder {
         for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
             const LookupFace& face = mesh_.faces[f];
             for (std::size_t i = 0; i < 3; ++i) {
-                if (face.beyond[i] != kNoNeighbour) continue;
+                if (!face.twins[i].is_nothing()) continue;
                 const glm::dvec3 &a = place[face.vertices[i]],
                                  &b = place[face.vertices[(i + 1) % 3]];
                 if (a == b) continue;
                 Point low{a.x, a.y, a.z}, high{b.x, b.y, b.z};
                 if (high < low) std::swap(low, high);
-                meeting[{face.object, low, high}].push_back({f, i});
+                meeting[{mesh_.objects[f], low, high}].push_back({f, i});
             }
         }
         for (const auto& [where, borders] : meeting) {
@@ -164,7 +183,7 @@ class Builder {
         for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
             const LookupFace& face = mesh_.faces[f];
             for (std::size_t i = 0; i < 3; ++i) {
-                if (face.kinds[i] == LineKind::none) sets.join(f, face.beyond[i]);
+                if (face.kinds[i] == LineKind::none) sets.join(f, face.twins[i].face());
             }
         }
         for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f)
@@ -177,6 +196,80 @@ class Builder {
             mesh_.face_of_triangle[topology_.faces[f].triangle] = f;
         for (const auto& [triangle, face] : buffers::repeated_faces(prepared_, topology_))
             mesh_.face_of_triangle[triangle] = face;
+    }
+
+    /// Faces along a Morton curve of their centres, vertices as faces come by them: what is seen
+    /// together then lies together.
+    void put_in_order() {
+        const std::size_t count = mesh_.faces.size();
+        if (count == 0) return;
+        std::vector<glm::vec3> centers(count);
+        std::vector<std::uint32_t> face_to(count);
+        const glm::dvec3 origin = mesh_.p_world[mesh_.faces[0].vertices[0]];
+        for (std::size_t f = 0; f < count; ++f) {
+            for (const std::uint32_t v : mesh_.faces[f].vertices)
+                centers[f] += glm::vec3(mesh_.p_world[v] - origin);
+        }
+        meshopt_spatialSortRemap(face_to.data(), &centers[0].x, count, sizeof(glm::vec3));
+        std::vector<LookupFace> faces(count);
+        std::vector<std::uint32_t> objects(count);
+        for (std::size_t f = 0; f < count; ++f) {
+            LookupFace& face = faces[face_to[f]] = mesh_.faces[f];
+            for (Twin& twin : face.twins) {
+                if (twin.is_nothing() || twin.is_many()) continue;
+                twin.word = (twin.word & ~Twin::kFace) | face_to[twin.face()] << 2;
+            }
+            face.patch = face_to[face.patch];
+            objects[face_to[f]] = mesh_.objects[f];
+        }
+        mesh_.faces = std::move(faces);
+        mesh_.objects = std::move(objects);
+        renumber_vertices();
+        for (ManyFaces& many : mesh_.many)
+            many.face = face_to[many.face];
+        std::sort(mesh_.many.begin(), mesh_.many.end());
+        for (std::uint32_t& face : mesh_.face_of_triangle)
+            if (face != kNoNeighbour) face = face_to[face];
+    }
+
+    void renumber_vertices() {
+        std::vector<std::uint32_t> vertex_to(mesh_.p_world.size(), kNoNeighbour);
+        std::vector<glm::dvec3> p_world;
+        p_world.reserve(mesh_.p_world.size());
+        for (LookupFace& face : mesh_.faces) {
+            for (std::uint32_t& v : face.vertices) {
+                if (vertex_to[v] == kNoNeighbour) {
+                    vertex_to[v] = static_cast<std::uint32_t>(p_world.size());
+                    p_world.push_back(mesh_.p_world[v]);
+                }
+                v = vertex_to[v];
+            }
+        }
+        mesh_.p_world = std::move(p_world);
+        for (ManyFaces& many : mesh_.many)
+            std::tie(many.a, many.b) = std::minmax({vertex_to[many.a], vertex_to[many.b]});
+    }
+
+    void add_planes() {
+        const auto& p = mesh_.p_world;
+        if (p.empty()) return;
+        const scene::Box box = scene::box_of(p);
+        mesh_.origin_world = box.center();
+        mesh_.reach_world = static_cast<float>(2 * box.diagonal());
+        for (std::vector<float>& part : mesh_.planes)
+            part.resize(mesh_.faces.size());
+        for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+            const auto& [a, b, c] = mesh_.faces[f].vertices;
+            const glm::dvec3 one = p[b] - p[a], other = p[c] - p[a];
+            const glm::dvec3 n = glm::cross(one, other);
+            const double size = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+            // Of slivers nothing but rounding is left.
+            if (!(size > 1e-6 * glm::length(one) * glm::length(other))) continue;
+            const double distance = glm::dot(n / size, p[a] - mesh_.origin_world);
+            const std::array<double, 4> plane = {n.x / size, n.y / size, n.z / size, distance};
+            for (std::size_t i = 0; i < 4; ++i)
+                mesh_.planes[i][f] = static_cast<float>(plane[i]);
+        }
     }
 
     const scene::PreparedScene& prepared_;

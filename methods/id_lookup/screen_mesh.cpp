@@ -18,8 +18,17 @@ constexpr double kBeyond_px = 1.0 / 256;  ///< a face this far beyond the far sa
 constexpr double kCrack_px = 1.0 / 64;    ///< boundaries this near are the same to any eye
 constexpr double kCrackDepth = 1e-4;      ///< relative: two boundaries this far apart meet
 constexpr double kSameDepth = 1e-6;       ///< relative: what the depth test cannot tell
+constexpr double kFarBehind = 1e-2;       ///< relative: more than rounding moves a surface by
 constexpr double kRoundings = 4;          ///< of vertices: what may lie between planes that are one
 constexpr std::size_t kBatch = 4096;
+
+/// Calls use(begin, end) for parts of 0..count, from several threads.
+template <class Use>
+void each_batch(std::size_t count, int threads, Use use) {
+    core::parallel_for((count + kBatch - 1) / kBatch, threads, [&](std::size_t batch) {
+        use(batch * kBatch, std::min(count, (batch + 1) * kBatch));
+    });
+}
 
 }  // namespace
 
@@ -32,19 +41,20 @@ void ScreenMesh::see(const LookupMesh& mesh,
     view_ = view;
     eye_world_ = view.camera.eye_world;
     near_ = view.camera.near;
-    vertices_.resize(mesh.p_world.size());
-    p_clip_.resize(mesh.p_world.size());
-    const raster::ViewTransform transform(view);
-    core::parallel_for((vertices_.size() + kBatch - 1) / kBatch, threads, [&](std::size_t batch) {
-        const std::size_t end = std::min(vertices_.size(), (batch + 1) * kBatch);
-        for (std::size_t i = batch * kBatch; i < end; ++i) {
-            Vertex& v = vertices_[i];
-            v = {};
-            p_clip_[i] = transform.to_clip(mesh.p_world[i]);
-            if (raster::outcode(p_clip_[i], near_) != raster::kInside) continue;
-            const raster::ScreenVertex at = raster::to_screen(p_clip_[i]);
-            v = {at.q, at.x, at.y};
-        }
+    transform_ = raster::ViewTransform(view);
+    q_.resize(mesh.p_world.size());
+    places_.resize(mesh.p_world.size());
+    facing_.resize(mesh.faces.size());
+    each_batch(q_.size(), threads, [&](std::size_t begin, std::size_t end) {
+        const std::span all(mesh.p_world), part = all.subspan(begin, end - begin);
+        to_screen(part,
+                  transform_,
+                  near_,
+                  std::span(q_).subspan(begin, part.size()),
+                  std::span(places_).subspan(begin, part.size()));
+    });
+    each_batch(facing_.size(), threads, [&](std::size_t begin, std::size_t end) {
+        find_facing(mesh, eye_world_, begin, end, facing_);
     });
 }
 
@@ -109,21 +119,26 @@ class ScreenMesh::Walk {
     struct Piece {
         double s0, q0, s1, q1;
     };
+    /// A face and the edge over which the walk came to it.
+    struct Landing {
+        std::uint32_t face = kNoNeighbour;
+        std::size_t edge = 0;
+    };
 
     /// A sample counts as lying a little to the right of where it is and below, as the rasterizer's
     /// rule has it: what lies on the line is above it.
     [[nodiscard]] bool is_high(std::uint32_t vertex) const { return height(vertex) > 0; }
 
     [[nodiscard]] double height(std::uint32_t vertex) const {
-        const Vertex& v = screen_.vertices_[vertex];
+        const Vertex v = screen_.vertex(vertex);
         if (v.is_on_screen()) return is_down_ ? v.x - 256 * x_ - 128 : v.y - 256 * y_ - 128;
-        const glm::dvec3& p = screen_.p_clip_[vertex];
+        const glm::dvec3 p = screen_.p_clip(vertex);
         return is_down_ ? p.x - (x_ + 0.5) * p.z : p.y - (y_ + 0.5) * p.z;
     }
 
     [[nodiscard]] Passage passage(std::uint32_t high, std::uint32_t low) const {
-        const Vertex& a = screen_.vertices_[high];
-        const Vertex& b = screen_.vertices_[low];
+        const Vertex a = screen_.vertex(high);
+        const Vertex b = screen_.vertex(low);
         Passage at{high, low};
         if (a.is_on_screen() && b.is_on_screen()) {
             const double ha = height(high), hb = height(low);
@@ -137,7 +152,7 @@ class ScreenMesh::Walk {
             return at;
         }
         const double place = is_down_ ? x_ + 0.5 : y_ + 0.5;
-        const glm::dvec3 &begin = screen_.p_clip_[high], &end = screen_.p_clip_[low];
+        const glm::dvec3 begin = screen_.p_clip(high), end = screen_.p_clip(low);
         const auto clip_height = [&](const glm::dvec3& p) {
             return (is_down_ ? p.x : p.y) - place * p.z;
         };
@@ -173,21 +188,20 @@ class ScreenMesh::Walk {
                 end_ = End::beyond;
                 return;
             }
-            const std::uint32_t next = across(exit, out);
+            const Landing next = across(exit, out);
             if (kind_ != LineKind::none) {
                 end_ = End::line;
                 s_ = out.s;
                 q_ = out.q;
                 return;
             }
-            const std::uint32_t left = at_;
-            at_ = next;
+            at_ = next.face;
             if (at_ == goal_) {
                 end_ = End::arrived;
                 return;
             }
             in = out;
-            if (!leave(left, exit, in, out)) return;
+            exit = leave(next.edge, out);
         }
     }
 
@@ -210,34 +224,21 @@ class ScreenMesh::Walk {
         return found == 2;
     }
 
-    /// Where it leaves a face that it entered from `left` at `in`: over that of the two other edges
-    /// whose ends lie on both sides.
-    bool leave(std::uint32_t left, std::size_t& exit, const Passage& in, Passage& out) const {
+    /// Over which edge the line leaves a face that it entered over another: over that of the two
+    /// whose ends lie on both sides; where, in `out`.
+    std::size_t leave(std::size_t entered, Passage& out) const {
         const LookupFace& face = screen_.mesh_->faces[at_];
-        std::size_t entered = 3;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (is_same_edge(face, i, in.high, in.low)) entered = i;
-        }
-        std::uint32_t high = in.high, low = in.low;
-        if (entered == 3) {  // over a crack, where the ends are other vertices
-            for (std::size_t i = 0; i < 3; ++i)
-                if (face.beyond[i] == left) entered = i;
-            if (entered == 3) return false;
-            high = face.vertices[entered];
-            low = face.vertices[(entered + 1) % 3];
-            if (height(high) < height(low)) std::swap(high, low);
+        std::uint32_t high = face.vertices[entered];
+        std::uint32_t low = face.vertices[(entered + 1) % 3];
+        std::size_t of_high = (entered + 2) % 3, of_low = (entered + 1) % 3;  // edges to the third
+        if (height(high) < height(low)) {
+            std::swap(high, low);
+            std::swap(of_high, of_low);
         }
         const std::uint32_t third = face.vertices[(entered + 2) % 3];
-        if (is_high(third)) {
-            high = third;
-        } else {
-            low = third;
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (is_same_edge(face, i, high, low)) exit = i;
-        }
-        out = passage(high, low);
-        return true;
+        const bool is_third_high = is_high(third);
+        out = is_third_high ? passage(third, low) : passage(high, third);
+        return is_third_high ? of_low : of_high;
     }
 
     void note(const Passage& in, const Passage& out) {
@@ -254,46 +255,26 @@ class ScreenMesh::Walk {
     }
 
     /// The face on the other side of an edge that is left, or the line that it is, in kind_.
-    std::uint32_t across(std::size_t exit, const Passage& out) {
+    Landing across(std::size_t exit, const Passage& out) {
         const LookupFace& face = screen_.mesh_->faces[at_];
-        const std::uint32_t beyond = face.beyond[exit];
-        if (beyond == kNoNeighbour) {
+        const Twin twin = face.twins[exit];
+        if (twin.is_nothing()) {
             kind_ = LineKind::boundary;
-            return kNoNeighbour;
+            return {};
         }
-        const std::uint32_t mine = face.vertices[(exit + 2) % 3];
-        if (beyond == LookupFace::kMany)
+        if (twin.is_many()) {
+            const std::uint32_t mine = face.vertices[(exit + 2) % 3];
             return nearest_of_many(exit, out, screen_.side_of(out.high, out.low, mine));
-        const LookupFace& other = screen_.mesh_->faces[beyond];
-        std::uint32_t theirs = kNoNeighbour, c = out.high, d = out.low;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (other.beyond[i] != at_) continue;
-            theirs = other.vertices[(i + 2) % 3];
-            if (is_same_edge(other, i, out.high, out.low)) break;
-            c = other.vertices[i];
-            d = other.vertices[(i + 1) % 3];
-            const glm::dvec3 along = p_world(out.low) - p_world(out.high);
-            if (glm::dot(p_world(d) - p_world(c), along) < 0) std::swap(c, d);
         }
-        const bool is_open =
-            screen_.side_of(out.high, out.low, mine) * screen_.side_of(c, d, theirs) < 0;
-        kind_ = is_open ? face.kinds[exit] : LineKind::contour;
-        return beyond;
-    }
-
-    [[nodiscard]] static bool is_same_edge(const LookupFace& face,
-                                           std::size_t i,
-                                           std::uint32_t c,
-                                           std::uint32_t d) {
-        const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
-        return (a == c && b == d) || (a == d && b == c);
+        kind_ = screen_.is_open(at_, twin) ? face.kinds[exit] : LineKind::contour;
+        return {twin.face(), twin.edge()};
     }
 
     /// How fast 1/w grows from an edge into a face, per px.
     [[nodiscard]] double slope(const Passage& out, std::uint32_t third) const {
-        const Vertex& a = screen_.vertices_[out.high];
-        const Vertex& b = screen_.vertices_[out.low];
-        const Vertex& c = screen_.vertices_[third];
+        const Vertex a = screen_.vertex(out.high);
+        const Vertex b = screen_.vertex(out.low);
+        const Vertex c = screen_.vertex(third);
         if (!a.is_on_screen() || !b.is_on_screen() || !c.is_on_screen()) return 0;
         const double ex = b.x - a.x, ey = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
         const double length2 = ex * ex + ey * ey;
@@ -304,21 +285,24 @@ class ScreenMesh::Walk {
     }
 
     /// Of several faces beyond an edge that nearest the eye.
-    std::uint32_t nearest_of_many(std::size_t exit, const Passage& out, int mine) {
+    Landing nearest_of_many(std::size_t exit, const Passage& out, int mine) {
         const std::uint32_t low = std::min(out.high, out.low), high = std::max(out.high, out.low);
         const auto& many = screen_.mesh_->many;
         const glm::dvec3 a = p_world(out.high), b = p_world(out.low);
-        std::uint32_t best = kNoNeighbour, best_third = 0;
+        std::uint32_t best = kNoNeighbour;
+        std::size_t best_third = 0;
         double best_slope = 0;
         for (auto at = std::lower_bound(many.begin(), many.end(), ManyFaces{low, high, 0});
              at != many.end() && at->a == low && at->b == high;
              ++at) {
             if (at->face == at_) continue;
             const auto& v = screen_.mesh_->faces[at->face].vertices;
-            const std::uint32_t third = *std::find_if(
-                v.begin(), v.end(), [&](std::uint32_t i) { return i != low && i != high; });
-            if (mine * screen_.side_of(out.high, out.low, third) >= 0) continue;
-            const double grows = slope(out, third);
+            const auto third = static_cast<std::size_t>(
+                std::find_if(
+                    v.begin(), v.end(), [&](std::uint32_t i) { return i != low && i != high; }) -
+                v.begin());
+            if (mine * screen_.side_of(out.high, out.low, v[third]) >= 0) continue;
+            const double grows = slope(out, v[third]);
             if (best != kNoNeighbour && grows <= best_slope) continue;
             best = at->face;
             best_third = third;
@@ -326,17 +310,18 @@ class ScreenMesh::Walk {
         }
         if (best == kNoNeighbour) {
             kind_ = LineKind::contour;
-            return kNoNeighbour;
+            return {};
         }
         const LookupFace& face = screen_.mesh_->faces[at_];
-        const double deviation = deviation_rad({a, b, p_world(face.vertices[(exit + 2) % 3])},
-                                               {a, b, p_world(best_third)});
+        const double deviation =
+            deviation_rad({a, b, p_world(face.vertices[(exit + 2) % 3])},
+                          {a, b, p_world(screen_.mesh_->faces[best].vertices[best_third])});
         if (deviation >= screen_.options_.crease_rad) {
             kind_ = LineKind::crease;
-        } else if (face.object != screen_.mesh_->faces[best].object) {
+        } else if (screen_.mesh_->objects[at_] != screen_.mesh_->objects[best]) {
             kind_ = LineKind::seam;
         }
-        return best;
+        return {best, (best_third + 1) % 3};
     }
 
     const ScreenMesh& screen_;
@@ -356,7 +341,7 @@ class ScreenMesh::Walk {
 ///
 /// Most are told by where they are on the screen: each place is off by half of 1/256 px at most.
 int ScreenMesh::side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) const {
-    const Vertex &from = vertices_[a], &to = vertices_[b], &at = vertices_[corner];
+    const Vertex from = vertex(a), to = vertex(b), at = vertex(corner);
     if (from.is_on_screen() && to.is_on_screen() && at.is_on_screen()) {
         const std::int64_t ex = to.x - from.x, ey = to.y - from.y;
         const std::int64_t cx = at.x - from.x, cy = at.y - from.y;
@@ -370,21 +355,11 @@ int ScreenMesh::side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) 
         eye_world_, mesh_->p_world[a], mesh_->p_world[b], mesh_->p_world[corner]);
 }
 
-/// Whether two faces share an edge that is no line from here: then nothing need be walked.
 bool ScreenMesh::are_neighbours(std::uint32_t first, std::uint32_t second) const {
-    const LookupFace& f = mesh_->faces[first];
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (f.beyond[i] != second || f.kinds[i] != LineKind::none) continue;
-        const std::uint32_t a = f.vertices[i], b = f.vertices[(i + 1) % 3];
-        const auto& other = mesh_->faces[second].vertices;
-        const auto theirs = std::find_if(
-            other.begin(), other.end(), [&](std::uint32_t v) { return v != a && v != b; });
-        const bool is_shared = std::count(other.begin(), other.end(), a) == 1 &&
-                               std::count(other.begin(), other.end(), b) == 1;
-        if (!is_shared) return false;
-        return side_of(a, b, f.vertices[(i + 2) % 3]) * side_of(a, b, *theirs) < 0;
-    }
-    return false;
+    const auto& twins = mesh_->faces[first].twins;
+    return std::any_of(twins.begin(), twins.end(), [&](Twin twin) {
+        return !twin.is_closed() && twin.face() == second && is_open(first, twin);
+    });
 }
 
 FoundLine ScreenMesh::line_between(const SampleSide& side) const {
@@ -433,8 +408,8 @@ bool ScreenMesh::covers(const SampleSide& side,
     const double along_other = glm::dot(m, ray);
     if (along_other == 0) return false;
     const double nearer = w - glm::dot(m, corner(other, 0)) / along_other;
-    const double rounding = std::max(mesh_->rounding_world[mesh_->faces[seen].object],
-                                     mesh_->rounding_world[mesh_->faces[other].object]);
+    const double rounding = std::max(mesh_->rounding_world[mesh_->objects[seen]],
+                                     mesh_->rounding_world[mesh_->objects[other]]);
     return nearer * std::abs(along_other) >= -kRoundings * rounding;
 }
 
@@ -446,7 +421,8 @@ bool ScreenMesh::is_crack(const Walk& there, const Walk& back) const {
     const LookupFace& f = mesh_->faces[there.face()];
     const LookupFace& g = mesh_->faces[back.face()];
     const double w = 1 / there.q(), gap = std::abs(w - 1 / back.q());
-    if (gap > std::max(mesh_->crack_world[f.object], kCrackDepth * w)) return false;
+    const double crack = mesh_->crack_world[mesh_->objects[there.face()]];
+    if (gap > std::max(crack, kCrackDepth * w)) return false;
     const auto normal = [&](const LookupFace& face) {
         const auto& p = mesh_->p_world;
         const auto& v = face.vertices;
@@ -462,10 +438,18 @@ FoundLine ScreenMesh::between_surfaces(const SampleSide& side,
     const bool has_first = there.end() == End::line, has_second = back.end() == End::line;
     // Where a walk comes past the other sample no farther off than what is seen there, the surface
     // goes on: both coincide, or the other is seen through a crack.
-    if (there.end() == End::beyond && covers(side, true, side.second, there.face())) return {};
-    if (back.end() == End::beyond && covers(side, false, side.first, back.face())) return {};
+    // (What is far behind covers nothing.)
+    const auto is_far_behind = [](const Walk& walk, const Walk& other) {
+        const auto mine = walk.q_at(1), seen = other.q_at(0);
+        return mine && seen && *mine < *seen * (1 - kFarBehind);
+    };
+    const auto goes_on = [&](const Walk& walk, const Walk& other, bool is_second) {
+        return walk.end() == End::beyond && !is_far_behind(walk, other) &&
+               covers(side, is_second, is_second ? side.second : side.first, walk.face());
+    };
+    if (goes_on(there, back, true) || goes_on(back, there, false)) return {};
     if (has_first && has_second && is_crack(there, back)) {
-        const bool is_one = mesh_->faces[there.face()].object == mesh_->faces[back.face()].object;
+        const bool is_one = mesh_->objects[there.face()] == mesh_->objects[back.face()];
         return is_one ? FoundLine{} : FoundLine{LineKind::seam, there.s()};
     }
     const auto is_in_front = [](const Walk& walk, const Walk& other) {

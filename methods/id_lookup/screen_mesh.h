@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "methods/id_lookup/lookup_mesh.h"
+#include "methods/id_lookup/screen_kernel.h"
+#include "raster/pass/view_transform.h"
 #include "scene/camera.h"
 
 namespace ink::methods {
@@ -48,14 +51,21 @@ class ScreenMesh {
     /// the nearer of the lines that ended them; else the two surfaces cross in between.
     [[nodiscard]] FoundLine line_between(const SampleSide& side) const;
 
+    /// What can be told of a side without depths and classes.
+    enum class Glimpse { unknown, none, line };
+    /// As line_between() has it, wherever it is not `unknown`; a fraction of its time.
+    [[nodiscard]] Glimpse glimpse(const SampleSide& side) const;
+
+    [[nodiscard]] const LookupMesh& mesh() const { return *mesh_; }
+    /// Per face, which side of it is seen: 1 and -1, 0 edge-on.
+    [[nodiscard]] std::span<const std::int8_t> facing() const { return facing_; }
+
   private:
     class Walk;
+    class Glance;
 
-    /// A vertex on the screen. What cannot be put there (behind the near plane, far out) is told by
-    /// the clip space.
+    /// A vertex on the screen. What cannot be put there is told by the clip space.
     struct Vertex {
-        static constexpr std::int32_t kOffScreen = INT32_MIN;
-
         double q = 0;
         std::int32_t x = kOffScreen;  ///< 1/256 px
         std::int32_t y = kOffScreen;
@@ -63,7 +73,20 @@ class ScreenMesh {
         [[nodiscard]] bool is_on_screen() const { return x != kOffScreen; }
     };
 
+    [[nodiscard]] Vertex vertex(std::uint32_t i) const {
+        return {q_[i], places_[i].x, places_[i].y};
+    }
     [[nodiscard]] int side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) const;
+    [[nodiscard]] glm::dvec3 p_clip(std::uint32_t vertex) const {
+        return transform_.to_clip(mesh_->p_world[vertex]);
+    }
+    /// Whether a face and that beyond one of its edges are both seen, one on each side of it: they
+    /// face the same way.
+    [[nodiscard]] bool is_open(std::uint32_t face, Twin twin) const {
+        const int mine = facing_[face], theirs = facing_[twin.face()];
+        return mine != 0 && theirs == (twin.is_turned() ? -mine : mine);
+    }
+    /// Whether two faces share an edge that is no line from here: then nothing need be walked.
     [[nodiscard]] bool are_neighbours(std::uint32_t first, std::uint32_t second) const;
     [[nodiscard]] bool covers(const SampleSide& side,
                               bool is_second,
@@ -76,8 +99,10 @@ class ScreenMesh {
 
     const LookupMesh* mesh_ = nullptr;
     WalkOptions options_;
-    std::vector<Vertex> vertices_;
-    std::vector<glm::dvec3> p_clip_;
+    std::vector<double> q_;  ///< per vertex
+    std::vector<glm::ivec2> places_;
+    std::vector<std::int8_t> facing_;
+    raster::ViewTransform transform_;
     scene::View view_;
     glm::dvec3 eye_world_{0};
     double near_ = 0;

@@ -15,7 +15,7 @@ namespace {
 
 core::Image<LineKind> classes_of(const scene::Scene& scene,
                                  const scene::View& view,
-                                 const IdLookup::Params& params = {}) {
+                                 const LookupParams& params = {}) {
     IdLookup method(params);
     method.prepare(scene);
     method.pose(scene);
@@ -102,7 +102,7 @@ TEST(IdLookup, ClassesAreThoseOfTheTruth) {
         for (const glm::dvec3 eye : {glm::dvec3{5, 6, 12}, {-7, 4, 9}, {9, 3, -8}}) {
             const scene::View view = view_from(scene, eye, {0, 0, 0.5}, {400, 300});
             const truth::Truth truth = truth::trace_truth(scene, view, {});
-            IdLookup::Params params;
+            LookupParams params;
             params.samples = samples;
             const auto found = compare(truth.labels, classes_of(scene, view, params));
             for (const LineKind kind : {LineKind::contour, LineKind::crease}) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "methods/id_lookup/lookup_mesh.h"
+#include "raster/pass/view_transform.h"
+
+namespace ink::methods {
+
+/// x of what cannot be put on the screen: behind the near plane, or far out.
+inline constexpr std::int32_t kOffScreen = INT32_MIN;
+
+/// Takes points to the screen as the rasterizer does: 1/w, and the place in 1/256 px. All spans
+/// have one size. The same on every SIMD target.
+void to_screen(std::span<const glm::dvec3> p_world,
+               const raster::ViewTransform& transform,
+               double near,
+               std::span<double> q,
+               std::span<glm::ivec2> places);
+
+/// Which side of each face from `begin` to `end` the eye sees: 1 and -1, 0 edge-on. Exact.
+void find_facing(const LookupMesh& mesh,
+                 const glm::dvec3& eye_world,
+                 std::size_t begin,
+                 std::size_t end,
+                 std::span<std::int8_t> facing);
+
+}  // namespace ink::methods
