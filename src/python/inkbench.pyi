@@ -4,10 +4,11 @@ Images are arrays of uint8, (height, width), row 0 the top.
 """
 
 from os import PathLike
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Final, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import TypedDict, Unpack
 
 class Error(ValueError):
     """Bad input, with the sentence that the program would print."""
@@ -20,6 +21,17 @@ _Size = Union[str, tuple[int, int]]
 _Scene = Union[str, PathLike[str]]
 _Settings = Mapping[str, Any]
 
+class _Views(TypedDict, total=False):
+    size: _Size  # "1280x720"
+    views: Union[int, str]
+    fit: str
+    margin: Optional[float]
+    objects: Sequence[str]
+    time_s: Optional[float]
+    frame: Optional[int]
+    animation: Union[int, str]
+    seams: str  # "objects"
+
 class Camera:
     def __init__(
         self,
@@ -29,84 +41,49 @@ class Camera:
         fov_deg: float = 40.0,
         size: _Size = (1280, 720),
     ) -> None: ...
-    @property
-    def eye(self) -> _Point: ...
-    @property
-    def target(self) -> Optional[_Point]: ...
-    @property
-    def up(self) -> _Point: ...
-    @property
-    def fov_deg(self) -> float: ...
-    @property
-    def size(self) -> _Size: ...
+    eye: Final[_Point]
+    target: Final[Optional[_Point]]
+    up: Final[_Point]
+    fov_deg: Final[float]
+    size: Final[_Size]
 
 class Buffers:
-    @property
-    def depth(self) -> NDArray[np.float32]: ...
-    @property
-    def normal(self) -> NDArray[np.float32]: ...
-    @property
-    def object(self) -> NDArray[np.uint32]: ...
-    @property
-    def patch(self) -> NDArray[np.uint32]: ...
-    @property
-    def triangle(self) -> NDArray[np.uint32]: ...
-    @property
-    def material(self) -> NDArray[np.uint32]: ...
-    @property
-    def view(self) -> dict[str, Any]: ...
+    depth: Final[NDArray[np.float32]]
+    normal: Final[NDArray[np.float32]]
+    object: Final[NDArray[np.uint32]]
+    patch: Final[NDArray[np.uint32]]
+    triangle: Final[NDArray[np.uint32]]
+    material: Final[NDArray[np.uint32]]
+    view: Final[dict[str, Any]]
 
 class Truth:
-    @property
-    def labels(self) -> NDArray[np.uint8]: ...
-    @property
-    def below_crease(self) -> NDArray[np.uint8]: ...
-    @property
-    def sampled(self) -> NDArray[np.uint8]: ...
-    @property
-    def exact_corner(self) -> NDArray[np.uint8]: ...
-    @property
-    def curves(self) -> NDArray[Any]: ...
-    @property
-    def crowded_share(self) -> float: ...
-    @property
-    def trace_s(self) -> float: ...
+    labels: Final[NDArray[np.uint8]]
+    below_crease: Final[NDArray[np.uint8]]
+    sampled: Final[NDArray[np.uint8]]
+    exact_corner: Final[NDArray[np.uint8]]
+    curves: Final[NDArray[Any]]
+    crowded_share: Final[float]
+    trace_s: Final[float]
 
 class ClassScore:
-    @property
-    def name(self) -> str: ...
-    @property
-    def label(self) -> int: ...
-    @property
-    def k(self) -> int: ...
-    @property
-    def n_truth(self) -> int: ...
+    name: Final[str]
+    label: Final[int]
+    k: Final[int]
+    n_truth: Final[int]
 
 class Score:
-    @property
-    def f(self) -> Optional[float]: ...
-    @property
-    def precision(self) -> Optional[float]: ...
-    @property
-    def recall(self) -> Optional[float]: ...
-    @property
-    def k(self) -> int: ...
-    @property
-    def n_pred(self) -> int: ...
-    @property
-    def n_truth(self) -> int: ...
-    @property
-    def unmatched_duplicates(self) -> int: ...
-    @property
-    def false_positives(self) -> int: ...
-    @property
-    def unmatched_truth(self) -> int: ...
-    @property
-    def false_negatives(self) -> int: ...
-    @property
-    def mean_width_px(self) -> float: ...
-    @property
-    def classes(self) -> list[ClassScore]: ...
+    f: Final[Optional[float]]
+    precision: Final[Optional[float]]
+    recall: Final[Optional[float]]
+    k: Final[int]
+    n_pred: Final[int]
+    n_truth: Final[int]
+    unmatched_duplicates: Final[int]
+    false_positives: Final[int]
+    unmatched_truth: Final[int]
+    false_negatives: Final[int]
+    mean_width_px: Final[float]
+    classes: Final[list[ClassScore]]
 
 def scenes() -> list[dict[str, Any]]: ...
 def methods() -> list[dict[str, Any]]: ...
@@ -118,15 +95,7 @@ def truth(
     weld_epsilon: float = 0,
     intersections: str = "above_crease",
     threads: int = ...,
-    size: _Size = "1280x720",
-    views: Union[int, str] = "",
-    fit: str = "",
-    margin: Optional[float] = None,
-    objects: Sequence[str] = (),
-    time_s: Optional[float] = None,
-    frame: Optional[int] = None,
-    animation: Union[int, str] = "",
-    seams: str = "objects",
+    **views: Unpack[_Views],
 ) -> Truth: ...
 def draw(
     method: str,
@@ -136,15 +105,7 @@ def draw(
     settings: _Settings = {},
     threads: int = 1,
     skips_off: Sequence[str] = (),
-    size: _Size = "1280x720",
-    views: Union[int, str] = "",
-    fit: str = "",
-    margin: Optional[float] = None,
-    objects: Sequence[str] = (),
-    time_s: Optional[float] = None,
-    frame: Optional[int] = None,
-    animation: Union[int, str] = "",
-    seams: str = "objects",
+    **views: Unpack[_Views],
 ) -> NDArray[np.uint8]: ...
 def layers(
     method: str,
@@ -154,30 +115,14 @@ def layers(
     settings: _Settings = {},
     threads: int = 1,
     skips_off: Sequence[str] = (),
-    size: _Size = "1280x720",
-    views: Union[int, str] = "",
-    fit: str = "",
-    margin: Optional[float] = None,
-    objects: Sequence[str] = (),
-    time_s: Optional[float] = None,
-    frame: Optional[int] = None,
-    animation: Union[int, str] = "",
-    seams: str = "objects",
+    **views: Unpack[_Views],
 ) -> dict[str, NDArray[Any]]: ...
 def buffers(
     scene: _Scene,
     view: Union[str, Camera] = "",
     *,
     crease_deg: float = 40,
-    size: _Size = "1280x720",
-    views: Union[int, str] = "",
-    fit: str = "",
-    margin: Optional[float] = None,
-    objects: Sequence[str] = (),
-    time_s: Optional[float] = None,
-    frame: Optional[int] = None,
-    animation: Union[int, str] = "",
-    seams: str = "objects",
+    **views: Unpack[_Views],
 ) -> Buffers: ...
 def compare(
     scenes: Union[_Scene, Sequence[_Scene]],
@@ -199,15 +144,7 @@ def compare(
     full_scores: bool = True,
     skips_off: Sequence[str] = (),
     seed: int = 0,
-    size: _Size = "1280x720",
-    views: Union[int, str] = "",
-    fit: str = "",
-    margin: Optional[float] = None,
-    objects: Sequence[str] = (),
-    time_s: Optional[float] = None,
-    frame: Optional[int] = None,
-    animation: Union[int, str] = "",
-    seams: str = "objects",
+    **views: Unpack[_Views],
 ) -> list[dict[str, Any]]: ...
 def score(
     edges: NDArray[np.uint8],

@@ -148,8 +148,11 @@ class Module(unittest.TestCase):
         stub = ast.parse((SOURCE / "src/python/inkbench.pyi").read_text(encoding="utf-8"))
         functions = {node.name: node for node in stub.body if isinstance(node, ast.FunctionDef)}
         classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
+        fields = {name: {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
+                  for name, node in classes.items()}
+        views = fields.pop("_Views")
         public = {name for name in dir(inkbench) if not name.startswith("_")}
-        self.assertEqual(public, set(functions) | set(classes))
+        self.assertEqual(public, set(functions) | set(fields))
         for name, node in functions.items():
             signature, _, text = getattr(inkbench, name).__doc__.partition("\n")
             self.assertGreater(len(text.strip()), 40, name)
@@ -161,7 +164,8 @@ class Module(unittest.TestCase):
             told |= {keyword: None for line in of_views for keyword in line.split(", ")}
             told.pop("scenes", None)
             if "**kwargs" in signature:
-                self.assertEqual(set(told), {argument.arg for argument in node.args.kwonlyargs}, name)
+                self.assertEqual(ast.unparse(node.args.kwarg.annotation), "Unpack[_Views]", name)
+                self.assertEqual(set(told), {argument.arg for argument in node.args.kwonlyargs} | views, name)
             for argument, default in zip(node.args.kwonlyargs, node.args.kw_defaults):
                 value = ast.literal_eval(default)
                 if "**kwargs" not in signature:
@@ -170,9 +174,8 @@ class Module(unittest.TestCase):
                 elif told[argument.arg] is not None and value is not ...:
                     value = "" if value == () else str(value).lower() if isinstance(value, bool) else str(value)
                     self.assertEqual(told[argument.arg], value, f"{name} {argument.arg}")
-        for name, node in classes.items():
+        for name, in_stub in fields.items():
             of = getattr(inkbench, name)
-            in_stub = {item.name for item in node.body if isinstance(item, ast.FunctionDef)} - {"__init__"}
             if issubclass(of, Exception):
                 continue
             there = {item for item, value in inspect.getmembers(of) if isinstance(value, property)}
