@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::core {
 namespace {
@@ -14,22 +15,15 @@ namespace fs = std::filesystem;
 
 class WholeFile : public testing::Test {
   protected:
-    void SetUp() override {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
     std::string text_of(const fs::path& path) {
         std::ostringstream text;
         text << std::ifstream(path, std::ios::binary).rdbuf();
         return text.str();
     }
     std::ptrdiff_t entries() {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+        return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
     }
-    fs::path folder_ = fs::path(testing::TempDir()) /
-                       ("ink_whole_file_test_" +  // of one test: others run beside it
-                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    TempFolder folder_;
 };
 
 TEST_F(WholeFile, ReplacesAnOlderOneByteForByteAndLeavesNothingBeside) {
@@ -58,7 +52,7 @@ TEST_F(WholeFile, IsReadAsItWasWritten) {
 
 TEST_F(WholeFile, WhatIsNoFileIsNothing) {
     EXPECT_EQ(read_whole_file(folder_ / "nowhere"), std::nullopt);
-    EXPECT_EQ(read_whole_file(folder_), std::nullopt);
+    EXPECT_EQ(read_whole_file(folder_.path()), std::nullopt);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "tests/core/error_text.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::draw {
 namespace {
@@ -28,12 +29,6 @@ Gray line_image(std::uint8_t value, std::uint8_t ground) {
 
 class ScoreFiles : public testing::Test {
   protected:
-    ScoreFiles() {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~ScoreFiles() override { fs::remove_all(folder_); }
-
     fs::path write(const std::string& name, const Gray& image) const {
         const fs::path path = folder_ / name;
         fs::create_directories(path.parent_path());
@@ -41,8 +36,7 @@ class ScoreFiles : public testing::Test {
         return path;
     }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) /
-                             testing::UnitTest::GetInstance()->current_test_info()->name();
+    const core::TempFolder folder_;
 };
 
 TEST_F(ScoreFiles, FindsDarkLinesOnLightByItself) {

@@ -11,6 +11,7 @@
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "methods/method_configs.h"
+#include "tests/core/temp_folder.h"
 #include "tests/report/markup.h"
 #include "tests/scene/small_meshes.h"
 
@@ -57,10 +58,10 @@ std::string text_attribute(const image_io::ExrFile& file, const std::string& nam
 TEST(TruthExr, HoldsEveryLayerAsItIs) {
     const harness::SceneViews scene_views = cube();
     const truth::Truth truth = traced(scene_views);
-    const fs::path path = fs::path(testing::TempDir()) / "truth_layers.exr";
+    const core::TempFolder folder;
+    const fs::path path = folder / "truth_layers.exr";
     write_truth_exr({scene_views}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
-    fs::remove(path);
 
     using Ids = core::Image<std::uint32_t>;
     using Floats = core::Image<float>;
@@ -98,10 +99,10 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     const harness::SceneViews scene_views = cube();
     const truth::Truth truth =
         truth::trace_truth(scene_views.scene, scene_views.views.front(), {.layers = false});
-    const fs::path path = fs::path(testing::TempDir()) / "truth_labels.exr";
+    const core::TempFolder folder;
+    const fs::path path = folder / "truth_labels.exr";
     write_truth_exr({scene_views}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
-    fs::remove(path);
     EXPECT_EQ(file.channels.size(), 7U)
         << "R, G, B, class.label, class.below_crease, crack.right and crack.below";
     using Ids = core::Image<std::uint32_t>;
@@ -116,10 +117,10 @@ TEST(TruthPng, SaysHowItWantsToBeScored) {
     const harness::SceneViews scene_views = cube();
     truth::SceneModel model(scene_views.scene, {});
     const harness::ViewTruth truth = harness::trace_view(model, scene_views.views.front(), {});
-    const fs::path path = fs::path(testing::TempDir()) / "truth_labels.png";
+    const core::TempFolder folder;
+    const fs::path path = folder / "truth_labels.png";
     write_truth_png({scene_views, {}, "inkbench truth cube"}, truth, path);
     const image_io::GrayFile file = image_io::read_gray_file(path);
-    fs::remove(path);
     EXPECT_EQ(file.pixels, truth.counted_labels());
     EXPECT_EQ(file.texts.at("ink:ignore_label"), "7");
     EXPECT_EQ(file.texts.at("ink:band_px"), "6");
@@ -135,11 +136,11 @@ TEST(DrawingExr, HoldsImageShadingResponseAndLayers) {
     options.shading = shade::GouraudParams{};
     const Drawing drawing = make_drawing(scene_views, config, options);
     const edge::EdgeImage& edge_responses = drawing.edge_responses;
-    const fs::path path = fs::path(testing::TempDir()) / "drawing.exr";
+    const core::TempFolder folder;
+    const fs::path path = folder / "drawing.exr";
     const auto layers = draw_layers(scene_views, config, options);
     write_drawing_exr(scene_views, config, drawing, layers, path);
     const image_io::ExrFile file = image_io::read_exr(path);
-    fs::remove(path);
     const auto* edge_response = channel<image_io::HalfImage>(file, "response.Y");
     ASSERT_NE(edge_response, nullptr);
     ASSERT_NE(channel<image_io::HalfImage>(file, "G"), nullptr);

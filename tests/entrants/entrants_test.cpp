@@ -16,6 +16,7 @@
 #include "harness/outside_method.h"
 #include "harness/suite.h"
 #include "image_io/image_file.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::entrants {
 namespace {
@@ -32,12 +33,6 @@ constexpr bool kIsSanitized = false;
 
 class Entrants : public testing::Test {
   protected:
-    Entrants() {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~Entrants() override { fs::remove_all(folder_); }
-
     std::string write_program(const std::string& name, const std::string& text) const {
         const fs::path path = folder_ / name;
         core::write_whole_file(path, text);
@@ -63,9 +58,7 @@ class Entrants : public testing::Test {
         return harness::load_one_view("cube", "", request);
     }
 
-    const fs::path folder_ =
-        fs::path(testing::TempDir()) /
-        (std::string("entrants_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    const core::TempFolder folder_;
 };
 
 TEST_F(Entrants, AnImageFolderIsReadBySceneAndViewWithItsTimes) {
@@ -198,8 +191,7 @@ TEST_F(Entrants, ObjHasEveryTriangleInWorldSpace) {
 TEST_F(Entrants, GlbHoldsTheMeshesAndNodes) {
     const scene::Scene scene = catalogue::make_catalogue_scene("figure");
     write_glb(scene, folder_ / "mesh.glb");
-    std::ifstream file(folder_ / "mesh.glb", std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = core::read_whole_file(folder_ / "mesh.glb").value_or("");
     ASSERT_EQ(bytes.substr(0, 4), "glTF");
     std::uint32_t length = 0;
     std::memcpy(&length, bytes.data() + 12, sizeof length);

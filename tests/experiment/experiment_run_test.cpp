@@ -12,10 +12,12 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/folder_lock.h"
 #include "harness/tables/csv_table.h"
 #include "tests/core/error_text.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::experiment {
 namespace {
@@ -45,9 +47,7 @@ Plan counting_plan(int blocks, std::vector<int>& runs) {
 }
 
 std::string text_of(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
+    return core::read_whole_file(path).value_or("");
 }
 
 /// What run.toml says but for how long the blocks took.
@@ -61,17 +61,13 @@ std::string text_of_asked(const fs::path& folder) {
 
 class ExperimentRun : public testing::Test {
   protected:
-    void SetUp() override { fs::remove_all(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
     [[nodiscard]] RunOptions into(const std::string& name, Shard shard = {}) const {
         RunOptions options;
         options.out = folder_ / name;
         options.shard = shard;
         return options;
     }
-    fs::path folder_ = fs::path(testing::TempDir()) /
-                       ("ink_experiment_run_" +
-                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    const core::TempFolder folder_;
     std::vector<int> runs_;
 };
 

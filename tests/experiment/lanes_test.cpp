@@ -9,6 +9,7 @@
 #include "experiment/experiment_run.h"
 #include "harness/tables/csv_table.h"
 #include "harness/tables/row_table.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::experiment {
 namespace {
@@ -31,9 +32,6 @@ Experiment small_comparison(bool times) {
 
 class Lanes : public testing::Test {
   protected:
-    void SetUp() override { fs::remove_all(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-
     fs::path run(const Experiment& experiment, int lanes) {
         RunOptions options;
         options.out = folder_ / std::to_string(lanes);
@@ -43,9 +41,7 @@ class Lanes : public testing::Test {
         return options.out;
     }
 
-    fs::path folder_ =
-        fs::path(testing::TempDir()) /
-        ("ink_lanes_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    const core::TempFolder folder_;
 };
 
 TEST_F(Lanes, WriteTheSameBytesWithoutTimes) {

@@ -11,6 +11,7 @@
 #include "experiment/experiment_run.h"
 #include "experiment/run_data.h"
 #include "report/run_page.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::experiment {
 namespace {
@@ -47,8 +48,7 @@ TEST(OwnStudy, RunsShardsAndStandsOnThePageAndInTheFigures) {
     experiment.sizes = {{96, 54}};
     experiment.own_axes = {axis};
     const Plan plan = make_plan(experiment, {});
-    const fs::path folder = fs::path(testing::TempDir()) / "own_study";
-    fs::remove_all(folder);
+    const core::TempFolder folder;
     (void)run_experiment(plan, {.out = folder / "whole"});
     for (const int i : {1, 2})
         (void)run_experiment(plan, {.out = folder / std::to_string(i), .shard = {i, 2}});

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <set>
 #include <vector>
 
+#include "core/whole_file.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace ink::fuzz {
@@ -56,8 +55,7 @@ std::set<fs::path> corpus_of(const std::string& target) {
 }
 
 std::vector<std::uint8_t> bytes_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = core::read_whole_file(path).value_or("");
     return {text.begin(), text.end()};
 }
 

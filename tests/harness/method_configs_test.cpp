@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 
 #include "core/error.h"
 #include "methods/method_configs.h"
 #include "tests/core/error_text.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::harness {
 namespace {
@@ -59,12 +59,12 @@ TEST(MethodConfigs, BadNamesAndValuesAreNamed) {
 }
 
 TEST(MethodConfigs, APresetCalledAsAShippedOneTakesItsPlace) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "configs_test_preset.toml";
+    const core::TempFolder folder;
+    const auto file = folder / "preset.toml";
     std::ofstream(file)
         << "name = \"mote4_tuned\"\nmethod = \"mote4\"\n[settings]\nthreshold = 77\n";
     const std::vector<method::MethodConfig> configs =
         methods::make_configs("", {}, {file.string()});
-    std::filesystem::remove(file);
     const auto is_namesake = [](const method::MethodConfig& e) {
         return e.info->name == "mote4_tuned";
     };

@@ -8,6 +8,7 @@
 
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::harness {
 namespace {
@@ -28,8 +29,6 @@ bool is_figure(int x, int y) {
 
 class OutlineFile : public testing::Test {
   protected:
-    ~OutlineFile() override { fs::remove(path_); }
-
     OutlineImage read(Polarity polarity = Polarity::automatic) const {
         return read_outline_image(path_, polarity);
     }
@@ -66,9 +65,8 @@ class OutlineFile : public testing::Test {
         return read(polarity);
     }
 
-    fs::path path_ = fs::path(testing::TempDir()) /
-                     (std::string("outline_") +
-                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".png");
+    const core::TempFolder folder_;
+    fs::path path_ = folder_ / "outline.png";
 };
 
 void expect_lines(const OutlineImage& outline) {

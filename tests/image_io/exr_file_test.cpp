@@ -7,6 +7,8 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/whole_file.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::image_io {
 namespace {
@@ -15,17 +17,9 @@ namespace fs = std::filesystem;
 
 class Exr : public testing::Test {
   protected:
-    Exr() : folder_(fs::path(testing::TempDir()) / ("exr_" + name())) {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~Exr() override { fs::remove_all(folder_); }
-    static std::string name() {
-        return testing::UnitTest::GetInstance()->current_test_info()->name();
-    }
     [[nodiscard]] fs::path file(const std::string& file_name) const { return folder_ / file_name; }
 
-    fs::path folder_;
+    const core::TempFolder folder_;
 };
 
 /// 3 x 2 px: ids with the largest one, depths with infinity, and a grey.
@@ -77,16 +71,13 @@ TEST_F(Exr, KeepsItsAttributes) {
 TEST_F(Exr, IsTheSameFileTwice) {
     write_exr(small_file(), file("a.exr"));
     write_exr(small_file(), file("b.exr"));
-    const auto bytes = [](const fs::path& path) {
-        std::ifstream in(path, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(in), {});
-    };
-    EXPECT_GT(bytes(file("a.exr")).size(), 100U);
+    const auto bytes = core::read_whole_file(file("a.exr"));
+    EXPECT_GT(bytes.value_or("").size(), 100U);
     for (const ExrAttribute& attribute : read_exr(file("a.exr")).attributes) {
         EXPECT_FALSE(attribute.name == "DateTime" && std::get<std::string>(attribute.value) != "")
             << "or tomorrow's file differs";
     }
-    EXPECT_EQ(bytes(file("a.exr")), bytes(file("b.exr")));
+    EXPECT_EQ(bytes, core::read_whole_file(file("b.exr")));
 }
 
 TEST_F(Exr, RefusesAnEmptyImageAndLeavesNothing) {
@@ -94,7 +85,7 @@ TEST_F(Exr, RefusesAnEmptyImageAndLeavesNothing) {
     ExrFile empty;
     empty.channels = {{"Y", core::Image<float>()}};
     EXPECT_THROW(write_exr(empty, file("a.exr")), core::Error);
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 TEST_F(Exr, RefusesAFolderThatIsNotThere) {

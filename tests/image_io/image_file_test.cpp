@@ -1,7 +1,6 @@
 #include "image_io/image_file.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include "core/error.h"
 #include "image_io/exr_file.h"
 #include "image_io/picture_file.h"
+#include "tests/core/temp_folder.h"
 #include "tests/score/oracle_files.h"
 
 namespace {
@@ -27,17 +27,8 @@ using ink::image_io::write_png;
 using Gray = ink::core::Image<std::uint8_t>;
 using Colour = ink::core::Image<Rgb>;
 
-/// A folder of its own for each test, gone afterwards.
 class ImageFile : public testing::Test {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(INK_BINARY_DIR) / "test_files" /
-                  (std::string(test->name()) + std::to_string(getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     fs::path file(const std::string& name) const { return folder_ / name; }
     fs::path file_of(const std::string& name, const std::vector<std::uint8_t>& bytes) const {
         std::ofstream out(file(name), std::ios::binary);
@@ -45,10 +36,10 @@ class ImageFile : public testing::Test {
         return file(name);
     }
     std::size_t files_in_folder() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {}));
     }
 
-    fs::path folder_;
+    const ink::core::TempFolder folder_;
 };
 
 /// The message of the Error that reading `path` throws; "" if none.
@@ -140,7 +131,7 @@ TEST_F(ImageFile, LeavesNothingOfAnEmptyImage) {
 
 TEST_F(ImageFile, RefusesWhatIsNoImage) {
     EXPECT_THAT(refusal_of(file("missing.png")), testing::HasSubstr("no such file"));
-    EXPECT_THAT(refusal_of(folder_), testing::HasSubstr("not a file"));
+    EXPECT_THAT(refusal_of(folder_.path()), testing::HasSubstr("not a file"));
     EXPECT_THAT(refusal_of(file_of("empty.png", {})), testing::HasSubstr("empty"));
     const std::string text = "v 0 0 0\nf 1 2 3\n";
     EXPECT_NE(refusal_of(file_of("text.png", {text.begin(), text.end()})), "");

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <thread>
 
+#include "core/whole_file.h"
 #include "import/import.h"
 #include "tests/core/error_text.h"
 #include "tests/import/model_files.h"
@@ -34,7 +35,6 @@ class ImportLimit : public ModelFiles {
     void TearDown() override {
         EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a child was left behind";
         EXPECT_EQ(errno, ECHILD);
-        ModelFiles::TearDown();
     }
 
     [[nodiscard]] static ImportLimits faulty() {
@@ -150,7 +150,7 @@ TEST_F(ImportLimit, SeveralThreadsMayImport) {
 /// The process ids of a process's children; empty where the kernel does not tell.
 std::string children_of(pid_t pid) {
     const std::string id = std::to_string(pid);
-    return file_bytes("/proc/" + id + "/task/" + id + "/children");
+    return core::read_whole_file("/proc/" + id + "/task/" + id + "/children").value_or("");
 }
 
 TEST_F(ImportLimit, ChildDiesWithItsParent) {

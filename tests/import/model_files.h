@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,19 +8,13 @@
 
 #include "core/error.h"
 #include "import/import.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::import {
 
 /// A test that writes small model files into a folder of its own, removed afterwards.
 class ModelFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string pattern = (std::filesystem::temp_directory_path() / "inkbench_XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder_ = pattern;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     [[nodiscard]] std::filesystem::path write(const std::string& name,
                                               const std::string& content) const {
         std::ofstream(folder_ / name, std::ios::binary) << content;
@@ -32,13 +25,8 @@ class ModelFiles : public testing::Test {
     }
 
   private:
-    std::filesystem::path folder_;
+    core::TempFolder folder_;
 };
-
-inline std::string file_bytes(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// What import_scene complains of, without the path; empty, and a failure, if it does not. Checks
 /// that the message is one printable line about the right file.

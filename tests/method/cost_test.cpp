@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <utility>
 
+#include "core/whole_file.h"
 #include "methods/registry.h"
 
 namespace ink::method {
@@ -134,14 +133,12 @@ TEST(DeclaredCost, IsThereForEveryMethodAndAllItsSettings) {
 TEST(DeclaredCost, StandsOnEveryMethodsPage) {
     const std::string begin = "<!-- cost -->\n";
     for (const MethodInfo& info : methods::registry()) {
-        std::ifstream file(std::string(INK_SOURCE_DIR) + "/methods/" + info.name + "/" + info.name +
-                           ".md");
-        std::stringstream page;
-        page << file.rdbuf();
-        const std::size_t first = page.str().find(begin);
+        const std::string path = INK_SOURCE_DIR "/methods/" + info.name + "/" + info.name + ".md";
+        const std::string page = core::read_whole_file(path).value_or("");
+        const std::size_t first = page.find(begin);
         ASSERT_NE(first, std::string::npos) << info.name;
         const std::size_t start = first + begin.size();
-        EXPECT_EQ(page.str().substr(start, page.str().find("<!-- /cost -->") - start),
+        EXPECT_EQ(page.substr(start, page.find("<!-- /cost -->") - start),
                   cost_table(info.make({})->cost()))
             << "put this between the markers of methods/" << info.name << "/" << info.name << ".md";
     }

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "core/whole_file.h"
 #include "methods/registry.h"
 #include "tests/core/error_text.h"
 
@@ -85,9 +84,7 @@ TEST(MethodFile, MustSayWhoFamilyAndMarker) {
 TEST(MethodFile, TheBuildTookInWhatStandsOnDisk) {
     for (const ShippedFile& shipped : method_files()) {
         const auto path = std::filesystem::path(INK_SOURCE_DIR) / shipped.where();
-        std::ifstream stream(path, std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(stream), {}};
-        EXPECT_EQ(text, shipped.text) << path;
+        EXPECT_EQ(core::read_whole_file(path), shipped.text) << path;
     }
     EXPECT_EQ(method_files().size() + shipped_presets().size(), registry().size());
 }

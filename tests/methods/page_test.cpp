@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "core/whole_file.h"
 #include "methods/registry.h"
 #include "tests/methods/parameter_table.h"
 
@@ -12,11 +10,8 @@ namespace ink::methods {
 namespace {
 
 std::string page_of(const std::string& method) {
-    std::ifstream file(std::filesystem::path(INK_SOURCE_DIR) / "methods" / method /
-                       (method + ".md"));
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
+    const std::string path = INK_SOURCE_DIR "/methods/" + method + "/" + method + ".md";
+    return core::read_whole_file(path).value_or("");
 }
 
 TEST(Page, EveryMethodHasItsPartsInOrder) {

@@ -3,10 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <toml++/toml.h>
-#include <fstream>
-#include <iterator>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "methods/method_file.h"
 #include "methods/registry.h"
 #include "tests/core/error_text.h"
@@ -126,8 +125,7 @@ TEST(ShippedPresets, TheRegistrysDefaultsAreThoseOfTheFilesOnDisk) {
         const std::string name(shipped.name);
         const std::string path =
             std::string(INK_SOURCE_DIR) + "/methods/" + name + "/" + name + ".toml";
-        std::ifstream stream(path, std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        const std::string text = core::read_whole_file(path).value_or("");
         EXPECT_EQ(text, shipped.text) << path;
         const toml::table file = toml::parse(text);
         EXPECT_EQ(file["name"].value_or(std::string()), name);

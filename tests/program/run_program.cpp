@@ -96,16 +96,8 @@ Words::Words(const std::string& line) {
 }
 
 Desk::Desk() {
-    std::string name = (fs::temp_directory_path() / "inkbench-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    root_ = name;
     fs::create_directory(work());
     fs::create_directory(root_ / "cache");
-}
-
-Desk::~Desk() {
-    std::error_code ignored;
-    fs::remove_all(root_, ignored);
 }
 
 Outcome Desk::run(const Words& arguments) const {
@@ -142,7 +134,7 @@ Outcome Desk::run_with_signal(const std::string& program,
     const std::vector<char*> env = pointers(settings);
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot fork");
-    if (child == 0) become_program(root_, argv.data(), env.data());
+    if (child == 0) become_program(root_.path(), argv.data(), env.data());
     Outcome outcome;
     outcome.exit_code = wait_for(child, is_time, signal);
     outcome.out = slurp(root_ / "out");

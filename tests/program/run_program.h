@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/temp_folder.h"
+
 namespace ink::program {
 
 /// The words of a command line, one by one or as a user types them, with spaces between.
@@ -34,9 +36,6 @@ struct Outcome {
 class Desk {
   public:
     Desk();
-    ~Desk();
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
 
     [[nodiscard]] std::filesystem::path work() const { return root_ / "work"; }
 
@@ -69,7 +68,7 @@ class Desk {
                                           const std::function<bool()>& is_time,
                                           int signal) const;
 
-    std::filesystem::path root_;
+    core::TempFolder root_;
 };
 
 /// `err` without the lines of progress that long work leaves in a log, "compare: 3/9, 8 s left,

@@ -14,6 +14,7 @@
 #include "image_io/image_file.h"
 #include "methods/registry.h"
 #include "report/packed_run.h"
+#include "tests/core/temp_folder.h"
 #include "tests/report/made_up_rows.h"
 
 namespace ink::report {
@@ -27,10 +28,6 @@ using testing::Not;
 class RunPage : public testing::Test {
   protected:
     void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / ("run_page_" + std::string(info->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
         experiment::RunRecord record;
         record.name = "<made up>";
         record.kind = "compare";
@@ -38,9 +35,9 @@ class RunPage : public testing::Test {
         record.identity = "0123456789abcdef";
         record.asked = "methods = 'mote4'\n";
         record.state = experiment::RunState::finished;
-        experiment::write_record(record, folder_);
+        experiment::write_record(record, folder_.path());
         run_.record = record;
-        run_.folder = folder_;
+        run_.folder = folder_.path();
         for (const char* view : {"front", "side"}) {
             harness::Row row = made_up_row("mote4", 0.8, 2);
             row.scene = "cube";
@@ -52,7 +49,6 @@ class RunPage : public testing::Test {
             write_images(row);
         }
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write_images(const harness::Row& row) const {
         const fs::path images = folder_ / harness::image_folder(row.scene, row.view);
@@ -63,7 +59,7 @@ class RunPage : public testing::Test {
         image_io::write_png(core::Image<std::uint8_t>(160, 90), images / "mote4.errors.png");
     }
 
-    fs::path folder_;
+    const core::TempFolder folder_;
     experiment::RunData run_;
 };
 

@@ -1,7 +1,6 @@
 #include "truth/truth_cache.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,8 @@
 
 #include "core/byte_stream.h"
 #include "core/kept_file.h"
+#include "core/whole_file.h"
+#include "tests/core/temp_folder.h"
 #include "tests/truth/shapes.h"
 
 namespace ink::truth {
@@ -19,13 +20,9 @@ namespace fs = std::filesystem;
 class Cache : public testing::Test {
   protected:
     void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "inkbench_truth_XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder_ = pattern;
         view_.width_px = 120;
         view_.height_px = 90;
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     /// Cached, with a trace time that no trace takes, so that a read is told from a trace.
     Truth plant() {
@@ -36,10 +33,7 @@ class Cache : public testing::Test {
         return truth;
     }
     void write(std::string_view bytes) { std::ofstream(file(), std::ios::binary) << bytes; }
-    [[nodiscard]] std::string read() const {
-        std::ifstream in(file(), std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    [[nodiscard]] std::string read() const { return core::read_whole_file(file()).value_or(""); }
     [[nodiscard]] fs::path file() const {
         return folder_ / (truth_key(scene_, view_, options_) + ".truth");
     }
@@ -47,12 +41,12 @@ class Cache : public testing::Test {
         SceneModel model(scene_, options_);
         return cached_truth(model, view_, folder);
     }
-    Truth cached() { return cached_in(folder_); }
+    Truth cached() { return cached_in(folder_.path()); }
 
     scene::Scene scene_ = scene_of({box({-1, -1, -1}, {1, 1, 1}), box({1, -1, -1}, {2, 1, 1})});
     scene::View view_ = view_from({2, 3, 9}, {0, 0, 0});
     TruthOptions options_;
-    fs::path folder_;
+    core::TempFolder folder_;
 };
 
 TEST_F(Cache, ComesBackAsItWasTraced) {
@@ -90,7 +84,7 @@ TEST_F(Cache, DamagedFilesAreTracedAnewAndReplaced) {
         write(foreign);
         EXPECT_EQ(cached().labels, truth.labels);
     }
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1)
         << "no unfinished file is left";
 }
 

@@ -4,9 +4,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "core/error.h"
+#include "core/whole_file.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::tune {
 namespace {
@@ -15,17 +16,8 @@ namespace fs = std::filesystem;
 
 class Log : public testing::Test {
   protected:
-    void SetUp() override { fs::remove(path_); }
-    void TearDown() override { fs::remove(path_); }
-    std::string text() const {
-        std::ifstream file(path_);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    /// Of each test its own: they run side by side.
-    const fs::path path_ =
-        fs::path(testing::TempDir()) /
-        (std::string("tune_log_test_") +
-         testing::UnitTest::GetInstance()->current_test_info()->name() + ".part");
+    const core::TempFolder folder_;
+    const fs::path path_ = folder_ / "log.part";
 };
 
 TEST_F(Log, GivesBackWhatWasAddedToTheLastBit) {
@@ -68,7 +60,7 @@ TEST_F(Log, ALineThatWasCutOffIsNone) {
         log.add("a=1", {0.25, 0.25, {}});
         log.add("a=2", {0.5, 0.5, {}});
     }
-    std::string cut = text();
+    std::string cut = core::read_whole_file(path_).value_or("");
     cut.resize(cut.size() - 4);
     std::ofstream(path_) << cut;
     {

@@ -5,12 +5,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "experiment/run_record.h"
 #include "harness/cell.h"
 #include "methods/presets.h"
+#include "tests/core/temp_folder.h"
 #include "tune/tune_bench.h"
 #include "tune/tune_report.h"
 
@@ -29,9 +30,6 @@ harness::ViewRequest small() {
 
 class Tune : public testing::Test {
   protected:
-    void SetUp() override { fs::remove_all(out_); }
-    void TearDown() override { fs::remove_all(out_); }
-
     static std::vector<harness::SceneViews> scenes(const std::vector<std::string>& names) {
         return harness::load_scenes(names, small());
     }
@@ -40,7 +38,7 @@ class Tune : public testing::Test {
         made.config = methods::make_configs(method, {}).front();
         made.parameters = parameters;
         made.plan = {.evaluations = 24, .seed = 7};
-        made.out = out_;
+        made.out = folder_ / "out";
         made.is_forced = true;  // several searches in one test
         made.name = method + "_found";
         made.command = "inkbench tune " + method;
@@ -48,14 +46,11 @@ class Tune : public testing::Test {
         return made;
     }
     std::string read(const std::string& name) const {
-        std::ifstream file(out_ / name, std::ios::binary);
-        EXPECT_TRUE(file.is_open()) << name;
-        return {std::istreambuf_iterator<char>(file), {}};
+        const auto text = core::read_whole_file(folder_ / "out" / name);
+        EXPECT_TRUE(text) << name;
+        return text.value_or("");
     }
-    /// Of each test its own: they run side by side.
-    const fs::path out_ =
-        fs::path(testing::TempDir()) /
-        (std::string("tune_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    const core::TempFolder folder_;
 };
 
 double error_of(const std::vector<score::CurveCount>& counts) {
@@ -110,7 +105,7 @@ TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
                 testing::StartsWith(
                     "evaluation,phase,k_normal,join,e_train,drawn_by,draw_ms\n1,start,0.25,max,"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 24 + 24);
-    EXPECT_FALSE(fs::exists(out_ / "evaluations.csv.part"));
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "evaluations.csv.part"));
 
     const methods::Preset preset = methods::parse_preset(
         read("decaudin_found.toml"), "decaudin_found.toml", methods::registry());
@@ -118,7 +113,9 @@ TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
     EXPECT_EQ(preset.method, "decaudin");
     EXPECT_EQ(preset.settings, result.tuned.settings);
     EXPECT_EQ(preset.command, "inkbench tune decaudin");
-    EXPECT_EQ(methods::preset_config(out_ / "decaudin_found.toml").info->complete({}).at("join"),
+    EXPECT_EQ(methods::preset_config(folder_ / "out" / "decaudin_found.toml")
+                  .info->complete({})
+                  .at("join"),
               result.tuned.settings.at("join"));
 }
 
@@ -186,19 +183,19 @@ TEST_F(Tune, WithoutHeldOutScenesOneViewIsLeftOutAtATime) {
 }
 
 TEST_F(Tune, ModelsOfTheUserAreSearchedUnlessTheyAreUnseen) {
-    const fs::path model = fs::path(testing::TempDir()) / "tune_test_roof.obj";
+    const fs::path model = folder_ / "roof.obj";
     std::ofstream(model) << "v 0 0 0\nv 1 0 0\nv 0 1 1\nv 1 1 1\nv 0 2 0\nv 1 2 0\n"
                             "f 1 2 4 3\nf 3 4 6 5\n";
     TuneOptions with = options("mote4", "threshold");
     with.random = false;
     with.plan.evaluations = 8;
     const TuneResult alone = tune(scenes({model.string()}), with);
-    EXPECT_EQ(alone.train_scenes, std::vector<std::string>{"tune_test_roof"});
+    EXPECT_EQ(alone.train_scenes, std::vector<std::string>{"roof"});
     EXPECT_EQ(alone.left_out.size(), 3U);
-    with.unseen = {"tune_test_roof"};
+    with.unseen = {"roof"};
     const TuneResult beside = tune(scenes({"cube", model.string()}), with);
     EXPECT_EQ(beside.train_scenes, std::vector<std::string>{"cube"});
-    EXPECT_EQ(beside.heldout_scenes, std::vector<std::string>{"tune_test_roof"});
+    EXPECT_EQ(beside.heldout_scenes, std::vector<std::string>{"roof"});
     EXPECT_TRUE(beside.left_out.empty());
     fs::remove(model);
 }
