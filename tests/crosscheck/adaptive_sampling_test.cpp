@@ -63,10 +63,7 @@ void expect_covered(const std::vector<SampledPoint>& points,
 }
 
 SamplingOptions options_for(bool everywhere) {
-    SamplingOptions options;
-    options.threads = 2;
-    options.everywhere = everywhere;
-    return options;
+    return {.everywhere = everywhere, .threads = 2};
 }
 
 class AdaptiveSampling : public testing::TestWithParam<const char*> {};

@@ -77,9 +77,7 @@ TEST(MakeDrawing, ShadingLiesUnderTheLinesInItsColours) {
 }
 
 TEST(MakeDrawing, StrokesLieOnPaperUnlessASurfaceIsGiven) {
-    DrawOptions options;
-    options.shading = shade::StrokeParams{};
-    options.paper = glm::u8vec3(250, 240, 220);
+    DrawOptions options{.shading = shade::StrokeParams{}, .paper = glm::u8vec3(250, 240, 220)};
     EXPECT_EQ(count_of(make_drawing(small_scene_views(), mote4(), options).image, {250, 240, 220}) +
                   count_of(make_drawing(small_scene_views(), mote4(), options).image, kInk.rgb),
               96 * 54);

@@ -78,9 +78,7 @@ TEST(MarkErrors, MissingAndFalsePixelsAreTheScoresOwn) {
     const auto labels = report::made_up_labels({}, 3);
     const auto drawn = report::made_up_drawing(labels, 0.3, 5);
     const Marks marks = mark_errors(labels, drawn, {});
-    score::ScoreOptions options;
-    options.band_px = 6;
-    options.ignore_label = 7;
+    const score::ScoreOptions options{.band_px = 6, .ignore_label = 7};
     const auto score = score::score(drawn, score::prepare_truth(labels, options, true), options);
     const auto count = [&](char which) {
         return std::count_if(marks.data(), marks.data() + marks.size(), [which](Mark mark) {

@@ -62,9 +62,7 @@ std::string text_of_asked(const fs::path& folder) {
 class ExperimentRun : public testing::Test {
   protected:
     [[nodiscard]] RunOptions into(const std::string& name, Shard shard = {}) const {
-        RunOptions options;
-        options.out = folder_ / name;
-        options.shard = shard;
+        RunOptions options{.out = folder_ / name, .shard = shard};
         return options;
     }
     const core::TempFolder folder_;

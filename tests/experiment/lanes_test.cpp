@@ -33,9 +33,7 @@ Experiment small_comparison(bool times) {
 class Lanes : public testing::Test {
   protected:
     fs::path run(const Experiment& experiment, int lanes) {
-        RunOptions options;
-        options.out = folder_ / std::to_string(lanes);
-        options.lanes = lanes;
+        const RunOptions options{.out = folder_ / std::to_string(lanes), .lanes = lanes};
         EXPECT_EQ(run_experiment(make_plan(experiment, {}), options).record.state,
                   RunState::finished);
         return options.out;

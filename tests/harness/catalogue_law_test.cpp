@@ -38,10 +38,7 @@ ViewTruth truth_of(truth::SceneModel& model, const scene::View& view) {
 }
 
 truth::TruthOptions without_layers() {
-    truth::TruthOptions options;
-    options.threads = core::hardware_threads();
-    options.layers = false;
-    return options;
+    return {.threads = core::hardware_threads(), .layers = false};
 }
 
 void expect_full_self_score(const ViewTruth& truth) {

@@ -36,11 +36,7 @@ struct Input {
 };
 
 PassFormat one_code() {
-    PassFormat format;
-    format.store = Store::u8;
-    format.interpolants = 1;
-    format.halo_px = 1;
-    return format;
+    return {.interpolants = 1, .store = Store::u8, .halo_px = 1};
 }
 
 /// What a proof says of one tile.

@@ -47,11 +47,7 @@ class OneCode : public CornerValues {
 };
 
 PassFormat one_byte() {
-    PassFormat format;
-    format.store = Store::u8;
-    format.interpolants = 1;
-    format.halo_px = 1;
-    return format;
+    return {.interpolants = 1, .store = Store::u8, .halo_px = 1};
 }
 
 struct Drawn {

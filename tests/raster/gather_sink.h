@@ -75,10 +75,7 @@ struct TestMesh {
 
 /// A format that keeps the index of the nearest triangle, with `constants` = 0, 1, 2, ...
 inline PassFormat id_format() {
-    PassFormat format;
-    format.constant = true;
-    format.store = Store::u32;
-    return format;
+    return {.constant = true, .store = Store::u32};
 }
 
 inline constexpr std::uint32_t kNobody = 0xffffffffU;

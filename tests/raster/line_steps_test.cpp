@@ -10,10 +10,7 @@ namespace ink::raster {
 namespace {
 
 ScreenVertex at(std::int32_t x, std::int32_t y) {
-    ScreenVertex v;
-    v.x = x;
-    v.y = y;
-    return v;
+    return {.x = x, .y = y};
 }
 
 /// What LineSteps tells, as pixels; every pixel must come once.

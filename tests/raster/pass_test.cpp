@@ -114,9 +114,7 @@ TEST(DrawPassDeathTest, AFormatOutsideTheClosedSetIsACallersBug) {
 #ifdef NDEBUG
     GTEST_SKIP() << "skipped: assertions are off in this build";
 #endif
-    PassFormat format;
-    format.interpolants = 3;
-    format.store = Store::u8;
+    const PassFormat format{.interpolants = 3, .store = Store::u8};
     TestMesh mesh;
     IdleSink sink;
     EXPECT_DEATH(draw_pass(format, mesh.input(), 8, 8, 1, sink), "closed set|fill_function");

@@ -10,11 +10,7 @@ namespace ink::raster {
 namespace {
 
 PassFormat code_format(Store store, Overflow overflow, int interpolants = 1) {
-    PassFormat format;
-    format.interpolants = interpolants;
-    format.store = store;
-    format.overflow = overflow;
-    return format;
+    return {.interpolants = interpolants, .store = store, .overflow = overflow};
 }
 
 /// A triangle over a whole image of `size_px` with values at (0, 0), and its slopes.

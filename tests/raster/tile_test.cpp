@@ -65,11 +65,7 @@ class HaloSink : public TileSink {
 };
 
 PassFormat two_bytes(int halo_px) {
-    PassFormat format;
-    format.interpolants = 2;
-    format.store = Store::u8;
-    format.halo_px = halo_px;
-    return format;
+    return {.interpolants = 2, .store = Store::u8, .halo_px = halo_px};
 }
 
 TEST(Tiles, HalosHoldTheNeighboursPixelsAndTheFramesNearestOnes) {

@@ -16,9 +16,7 @@ inline constexpr std::size_t kTriangles =
 inline constexpr int kSide_px = 64;  // one tile
 
 inline PassFormat make_format(Store store, int interpolants) {
-    PassFormat format;
-    format.store = store;
-    format.interpolants = interpolants;
+    PassFormat format{.interpolants = interpolants, .store = store};
     format.constant = store != Store::none && interpolants == 0;
     return format;
 }

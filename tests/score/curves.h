@@ -15,11 +15,7 @@ inline ink::truth::Curve curve(double x0,
                                double x1,
                                double y1,
                                ink::truth::LineClass line_class = ink::truth::LineClass::crease) {
-    ink::truth::Curve c;
-    c.line_class = line_class;
-    c.begin = {x0, y0, 1};
-    c.end = {x1, y1, 1};
-    return c;
+    return {.line_class = line_class, .begin = {x0, y0, 1}, .end = {x1, y1, 1}};
 }
 
 /// A circle as a polygon, clockwise on the image (y down), its outside empty.

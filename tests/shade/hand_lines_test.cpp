@@ -23,12 +23,7 @@ Mask straight_line() {
 
 /// No jitter, no overshoot, no change of width: a ruler's line.
 HandParams ruler() {
-    HandParams params;
-    params.jitter_px = 0;
-    params.overshoot_px = 0;
-    params.width_spread = 0;
-    params.taper_px = 0;
-    return params;
+    return {.jitter_px = 0, .overshoot_px = 0, .width_spread = 0, .taper_px = 0};
 }
 
 int inked_in_column(const Mask& image, int x) {

@@ -28,9 +28,7 @@ Traced trace_view_of(const char* name, const char* view_name) {
                                      traced.scene.cameras.end(),
                                      [&](const auto& c) { return c.name == view_name; });
     traced.view = {*camera, 1280, 720};
-    TruthOptions options;
-    options.threads = 2;
-    options.layers = false;
+    const TruthOptions options{.threads = 2, .layers = false};
     traced.truth = trace_truth(traced.scene, traced.view, options);
     return traced;
 }

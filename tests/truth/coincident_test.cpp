@@ -17,9 +17,8 @@ scene::Mesh small_tile() {
 }
 
 double sampled_f(const Truth& truth) {
-    score::ScoreOptions options;
-    options.band_px = 6;
-    options.ignore_label = static_cast<int>(LineClass::ignore);
+    const score::ScoreOptions options{.band_px = 6,
+                                      .ignore_label = static_cast<int>(LineClass::ignore)};
     return score::score(truth.sampled, score::prepare_truth(truth.labels, options, true), options)
         .f();
 }

@@ -14,11 +14,7 @@ namespace {
 using Flags = core::Image<std::uint8_t>;
 
 Curve line(double x0, double y0, double x1, double y1, LineClass c = LineClass::contour) {
-    Curve curve;
-    curve.line_class = c;
-    curve.begin = {x0, y0, 1};
-    curve.end = {x1, y1, 1};
-    return curve;
+    return {.line_class = c, .begin = {x0, y0, 1}, .end = {x1, y1, 1}};
 }
 
 Cracks cracks_of(const std::vector<Curve>& curves, int width_px = 16, int height_px = 12) {

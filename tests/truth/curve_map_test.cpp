@@ -9,11 +9,7 @@ namespace ink::truth {
 namespace {
 
 Curve level(LineClass line_class, double x0, double x1, double y) {
-    Curve curve;
-    curve.line_class = line_class;
-    curve.begin = {x0, y, 1};
-    curve.end = {x1, y, 1};
-    return curve;
+    return {.line_class = line_class, .begin = {x0, y, 1}, .end = {x1, y, 1}};
 }
 
 TEST(CurveMap, NamesTheLowestClassAndOfThoseTheFirst) {

@@ -6,11 +6,7 @@ namespace ink::truth {
 namespace {
 
 Curve piece(double x0, double y0, double x1, double y1, LineClass line_class = LineClass::contour) {
-    Curve curve;
-    curve.line_class = line_class;
-    curve.begin = {x0, y0, 5};
-    curve.end = {x1, y1, 5};
-    return curve;
+    return {.line_class = line_class, .begin = {x0, y0, 5}, .end = {x1, y1, 5}};
 }
 
 using Indices = std::vector<std::uint32_t>;

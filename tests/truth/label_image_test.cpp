@@ -13,11 +13,7 @@ namespace {
 constexpr double kCrease_rad = 0.7;
 
 Curve line(LineClass line_class, double x0, double y0, double x1, double y1) {
-    Curve curve;
-    curve.line_class = line_class;
-    curve.begin = {x0, y0, 1};
-    curve.end = {x1, y1, 1};
-    return curve;
+    return {.line_class = line_class, .begin = {x0, y0, 1}, .end = {x1, y1, 1}};
 }
 
 std::size_t count(const LabelImage& image, LineClass line_class) {

@@ -150,9 +150,8 @@ TEST(Law, FarFromTheOriginNothingMoves) {
 
 /// What the `sampled` row scores against the labels, as it is scored in every comparison.
 double sampled_f(const Truth& truth) {
-    score::ScoreOptions options;
-    options.band_px = 6;
-    options.ignore_label = static_cast<int>(LineClass::ignore);
+    const score::ScoreOptions options{.band_px = 6,
+                                      .ignore_label = static_cast<int>(LineClass::ignore)};
     const auto scoring = score::prepare_truth(truth.labels, options, true);
     return score::score(truth.sampled, scoring, options).f();
 }

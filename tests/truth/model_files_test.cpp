@@ -17,9 +17,8 @@ namespace {
 class RealModel : public testing::TestWithParam<const char*> {};
 
 void expect_agrees(const Truth& truth, const edge::EdgeImage& sampled, double least_f) {
-    score::ScoreOptions options;
-    options.band_px = 6;
-    options.ignore_label = static_cast<int>(LineClass::ignore);
+    const score::ScoreOptions options{.band_px = 6,
+                                      .ignore_label = static_cast<int>(LineClass::ignore)};
     const auto scoring = score::prepare_truth(truth.labels, options, true);
     const score::Score score = score::score(sampled, scoring, options);
     EXPECT_GE(score.n_truth, 500);
