@@ -142,11 +142,7 @@ void time_pass(benchmark::State& state, const PassKey& key, int threads) {
 }
 
 raster::PassFormat format_of(int interpolants, raster::Store store) {
-    raster::PassFormat format;
-    format.interpolants = interpolants;
-    format.store = store;
-    format.halo_px = 1;
-    return format;
+    return {.interpolants = interpolants, .store = store, .halo_px = 1};
 }
 
 }  // namespace

@@ -65,12 +65,7 @@ raster::SkipCounts ConstantPass::draw_lines(const method::Frame& frame,
 }
 
 raster::PassFormat constant_format(raster::Store store, raster::DepthFormat depth, int halo_px) {
-    raster::PassFormat format;
-    format.constant = true;
-    format.store = store;
-    format.depth = depth;
-    format.halo_px = halo_px;
-    return format;
+    return {.constant = true, .store = store, .depth = depth, .halo_px = halo_px};
 }
 
 }  // namespace ink::buffers

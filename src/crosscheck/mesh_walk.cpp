@@ -24,10 +24,7 @@ MetEdge meet(const ClipMesh& mesh,
     const glm::dvec3 &a = local.p[side], &b = local.p[(side + 1) % 3];
     const double at_a = a.y * d.x - a.x * d.y, at_b = b.y * d.x - b.x * d.y;
     const double t = at_a == at_b ? 0.5 : std::clamp(at_a / (at_a - at_b), 0.0, 1.0);
-    MetEdge met;
-    met.face = face;
-    met.side = side;
-    met.w = a.z + t * (b.z - a.z);
+    MetEdge met{.face = face, .side = side, .w = a.z + t * (b.z - a.z)};
     const auto& p = mesh.topology().p_world;
     met.p_world = glm::mix(p[v[side]], p[v[(side + 1) % 3]], t);
     const glm::dvec2 inward(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);

@@ -148,9 +148,7 @@ core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int fa
 
 ErrorMarker::ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options)
     : labels_(labels) {
-    score::ScoreOptions scoring;
-    scoring.band_px = options.band_px;
-    scoring.ignore_label = kIgnoreLabel;
+    score::ScoreOptions scoring{.band_px = options.band_px, .ignore_label = kIgnoreLabel};
     truth_ = score::prepare_truth(labels, scoring, true);
 }
 

@@ -49,10 +49,7 @@ class SeenSurface {
 
     [[nodiscard]] const scene::Projection& projection() const { return projection_; }
     [[nodiscard]] core::Image<std::uint32_t> draw(raster::DepthFormat depth) const {
-        raster::PassFormat format;
-        format.constant = true;
-        format.store = raster::Store::u32;
-        format.depth = depth;
+        raster::PassFormat format{.constant = true, .store = raster::Store::u32, .depth = depth};
         std::vector<std::uint32_t> ids(surface_.triangles.size());
         std::iota(ids.begin(), ids.end(), 0U);
         raster::PassInput input;

@@ -7,10 +7,7 @@ namespace ink::harness {
 namespace {
 
 score::ScoreOptions harness_options() {
-    score::ScoreOptions options;
-    options.tolerance_px = kTolerance_px;
-    options.band_px = kBand_px;
-    return options;
+    return {.tolerance_px = kTolerance_px, .band_px = kBand_px};
 }
 
 }  // namespace

@@ -150,10 +150,7 @@ BufferArrays buffers(const py::object& scene, const py::object& view, const py::
 }
 
 score::ScoreOptions options_of(double tolerance_px, int threshold, bool thin) {
-    score::ScoreOptions options;
-    options.tolerance_px = tolerance_px;
-    options.threshold = threshold;
-    options.thin = thin;
+    score::ScoreOptions options{.tolerance_px = tolerance_px, .threshold = threshold, .thin = thin};
     score::check(options);
     return options;
 }

@@ -193,9 +193,7 @@ class PaintSink : public raster::TileSink {
 /// Draws which triangle each pixel sees, by the plain pass: it has a constant per triangle, and one
 /// picture is done before clusters would be made.
 void draw_tiles(const PaintJob& job, raster::TileSink& sink) {
-    raster::PassFormat format;
-    format.store = raster::Store::u32;
-    format.constant = true;
+    raster::PassFormat format{.constant = true, .store = raster::Store::u32};
     std::vector<std::uint32_t> ids(job.surface.triangles.size());
     std::iota(ids.begin(), ids.end(), 0U);
     raster::PassInput input;

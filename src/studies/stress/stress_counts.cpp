@@ -68,10 +68,7 @@ CaseFaults count_planes(const scene::Scene& scene,
     PlaneCheck check(carrier);
     edge::EdgeImage out(view.width_px, view.height_px);
     (void)buffers.draw(frame, carrier, PlaneCheck::kSky, check, out);
-    CaseFaults counts;
-    counts.non_finite = check.non_finite;
-    counts.overflow = check.overflow;
-    return counts;
+    return {.non_finite = check.non_finite, .overflow = check.overflow};
 }
 
 /// Whether no depth and no normal can take the code beyond its bits.
