@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "core/error.h"
 #include "entrants/image_folder.h"
 #include "image_io/picture_file.h"
 #include "score/polarity.h"
@@ -52,31 +51,21 @@ std::vector<std::uint8_t> with_checksums(Bytes bytes) {
 
 void check_entrant_image(Bytes bytes) {
     const auto path = scratch_file("image.png", with_checksums(bytes));
+    const auto picture = unless_refused([&] { return image_io::read_picture(path); });
+    if (!picture) return;
     scene::View view;
-    try {
-        const image_io::Picture picture = image_io::read_picture(path);
-        view.width_px = picture.colour.width_px();
-        view.height_px = picture.colour.height_px();
-        expect(view.width_px > 0 && view.height_px > 0, "an image has pixels");
-    } catch (const core::Error& error) {
-        expect_clear(error);
-        return;
-    }
-    try {
-        const edge::EdgeImage image = entrants::read_entrant_image(path, view);
+    view.width_px = picture->colour.width_px();
+    view.height_px = picture->colour.height_px();
+    expect(view.width_px > 0 && view.height_px > 0, "an image has pixels");
+    const auto read = [&] { return entrants::read_entrant_image(path, view); };
+    expect_usable("an image that can be read is an entrant's", [&] {
+        const edge::EdgeImage image = read();
         expect(image.width_px() == view.width_px && image.height_px() == view.height_px,
                "the image has the size of the view");
         expect(!score::has_dark_lines(image), "lines are light on dark");
-    } catch (const core::Error& error) {
-        throw BrokenLaw(std::string("an image that can be read is an entrant's: ") + error.what());
-    }
+    });
     ++view.width_px;
-    try {
-        (void)entrants::read_entrant_image(path, view);
-    } catch (const core::Error& error) {
-        return expect_clear(error);
-    }
-    throw BrokenLaw("an image of another size is refused");
+    expect(!unless_refused(read), "an image of another size is refused");
 }
 
 }  // namespace ink::fuzz

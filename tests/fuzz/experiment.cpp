@@ -77,11 +77,7 @@ void check_experiment(Bytes bytes) {
         check_where(error.where(), text);
         return;
     }
-    try {
-        check_experiment(read);
-    } catch (const core::Error& error) {
-        throw BrokenLaw(std::string("an experiment that was taken can be run: ") + error.what());
-    }
+    expect_usable("an experiment that was taken can be run", [&] { check_experiment(read); });
 }
 
 }  // namespace ink::fuzz

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 
-namespace ink::core {
-class Error;
-}
+#include "core/error.h"
+
 namespace ink::import {
 struct ImportReply;
 }
@@ -65,7 +65,33 @@ class Feed {
 };
 
 /// Throws BrokenLaw unless the message is what core::Error promises: one line, of one place.
-void expect_clear(const core::Error& error);
+inline void expect_clear(const core::Error& error) {
+    const std::string line = error.what();
+    expect(!error.what_happened().empty(), "an Error says what happened");
+    for (const char c : line)
+        expect(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "an Error is one line");
+}
+
+/// What `read` gives; nothing for an Error, which must be clear.
+template <class Read>
+[[nodiscard]] auto unless_refused(const Read& read) -> std::optional<decltype(read())> {
+    try {
+        return read();
+    } catch (const core::Error& error) {
+        expect_clear(error);
+        return std::nullopt;
+    }
+}
+
+/// Uses what was taken: an Error breaks the law that it can be used.
+template <class Use>
+void expect_usable(const std::string& law, const Use& use) {
+    try {
+        use();
+    } catch (const core::Error& error) {
+        throw BrokenLaw(law + ": " + error.what());
+    }
+}
 
 /// A reply of a reader must go through a stream unchanged, and become a sound scene, in every pose,
 /// or a clear Error. Throws BrokenLaw if not.

@@ -5,7 +5,6 @@
 #include <array>
 #include <vector>
 
-#include "core/error.h"
 #include "import/gltf/gltf_reader.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -62,18 +61,15 @@ void check_parts(const import::ImportReply& reply) {
 
 void check_gltf(Bytes bytes) {
     const auto all = std::as_bytes(bytes);
-    import::ImportReply reply;
-    try {
+    const auto reply = unless_refused([&]() -> std::optional<import::ImportReply> {
         const auto document = import::parse_gltf(
             is_whole(bytes) ? FileBytes(all.begin(), all.end()) : glb_of(bytes), "absent");
-        if (!document) return;
-        reply = import::read_gltf(*document, {});
-    } catch (const core::Error& error) {
-        expect_clear(error);
-        return;
-    }
-    check_parts(reply);
-    expect_scene_or_error(reply);
+        if (!document) return std::nullopt;
+        return import::read_gltf(*document, {});
+    });
+    if (!reply || !*reply) return;
+    check_parts(**reply);
+    expect_scene_or_error(**reply);
 }
 
 }  // namespace ink::fuzz

@@ -12,7 +12,6 @@
 #include <numeric>
 #include <span>
 
-#include "core/error.h"
 #include "core/simd.h"
 #include "draw/id_agreement.h"
 #include "raster/pass/vertex_cut.h"
@@ -224,12 +223,9 @@ scene::Scene with_sure_ones(scene::Scene scene, const scene::View& view) {
 void check_mesh_pass(Bytes bytes) {
     Feed feed(bytes);
     const scene::Scene scene = some_scene(feed);
-    scene::View view;
-    try {
-        view = some_view(scene, feed);
-    } catch (const core::Error& error) {
-        return expect_clear(error);  // an eye that looks nowhere
-    }
+    const auto seen_from = unless_refused([&] { return some_view(scene, feed); });
+    if (!seen_from) return;  // an eye that looks nowhere
+    const scene::View& view = *seen_from;
     check_passes(Stage(scene, view));
     const scene::Scene seen = with_sure_ones(scene, view);
     const draw::IdAgreement ids = draw::compare_ids(seen, view, raster::DepthFormat::q32);

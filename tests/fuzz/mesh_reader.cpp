@@ -3,37 +3,27 @@
 #include <optional>
 #include <vector>
 
-#include "core/error.h"
+#include "tests/import/imported_meshes.h"
 
 namespace ink::fuzz {
 namespace {
 
 /// The reply as a stream; nothing for an Error.
 std::optional<std::vector<std::byte>> read_all(MeshReader read, std::string_view file) {
-    import::ImportReply reply;
-    try {
-        reply = read(file, "model");
-    } catch (const core::Error& error) {
-        expect_clear(error);
-        return std::nullopt;
-    }
+    const auto reply = unless_refused([&] { return read(file, "model"); });
+    if (!reply) return std::nullopt;
     std::size_t positions = 0;
-    for (const import::ImportedMesh& mesh : reply.meshes) {
+    for (const import::ImportedMesh& mesh : reply->meshes) {
         positions += mesh.positions.size();
         expect(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size(),
                "a vertex has a normal if another has one");
     }
     expect(positions <= file.size(), "a vertex takes a byte of the file at least");
-    expect_scene_or_error(reply);
-    std::vector<std::byte> stream;
-    import::write_reply(reply, [&](const void* data, std::size_t size) {
-        const auto* bytes = static_cast<const std::byte*>(data);
-    stream.insert(stream.end(), bytes, bytes + size);
-});
-return stream;
-}  // namespace
+    expect_scene_or_error(*reply);
+    return import::stream_of(*reply);
+}
 
-}  // namespace ink::fuzz
+}  // namespace
 
 void check_mesh_reader(MeshReader read, Bytes bytes) {
     const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());

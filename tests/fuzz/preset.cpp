@@ -1,6 +1,5 @@
 // Any text is a preset whose method can be made, or an Error.
 
-#include "core/error.h"
 #include "methods/presets.h"
 #include "methods/registry.h"
 #include "tests/fuzz/fuzz.h"
@@ -29,14 +28,11 @@ Preset written_and_read(const Preset& preset) {
 
 void check_preset(Bytes bytes) {
     const std::string text(bytes.begin(), bytes.end());
-    Preset preset;
-    try {
-        preset = methods::parse_preset(text, "fuzz.toml", methods::registry());
-    } catch (const core::Error& error) {
-        expect_clear(error);
-        return;
-    }
-    try {
+    const auto read = unless_refused(
+        [&] { return methods::parse_preset(text, "fuzz.toml", methods::registry()); });
+    if (!read) return;
+    const Preset& preset = *read;
+    expect_usable("a preset that was taken can be used", [&] {
         expect(is_same(written_and_read(preset), preset), "a preset is read as it was written");
         const method::MethodInfo info = methods::preset_method(preset, methods::registry());
         expect(info.make({}) != nullptr, "the method of a preset can be made");
@@ -45,9 +41,7 @@ void check_preset(Bytes bytes) {
             expect(complete.at(name) == value, "the settings of a preset are its defaults");
         for (const core::ParamValues& line : info.sweep)
             expect(info.make(line) != nullptr, "so can each of its sweep");
-    } catch (const core::Error& error) {
-        throw BrokenLaw(std::string("a preset that was taken can be used: ") + error.what());
-    }
+    });
 }
 
 }  // namespace ink::fuzz

@@ -20,15 +20,10 @@ import::Md3File part(const char* name, const std::string& text){
 
 template <class Read>
 void check_reader(Read read) {
-    import::ImportReply reply;
-    try {
-        reply = read();
-    } catch (const core::Error& error) {
-        expect_clear(error);
-        return;
-    }
-    expect(!reply.meshes.empty() || !reply.animation, "motion is of something");
-    expect_scene_or_error(reply);
+    const auto reply = unless_refused(read);
+    if (!reply) return;
+    expect(!reply->meshes.empty() || !reply->animation, "motion is of something");
+    expect_scene_or_error(*reply);
 }
 
 /// Alone, and as each part of a player that carries another.

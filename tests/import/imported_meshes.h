@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "import/scene_stream.h"
 #include "scene/mesh.h"
 
@@ -13,6 +16,16 @@ inline ImportedMesh imported(const scene::Mesh& mesh) {
     result.normals = mesh.normals;
     result.triangles = mesh.triangles;
     return result;
+}
+
+/// What write_reply writes.
+inline std::vector<std::byte> stream_of(const ImportReply& reply) {
+    std::vector<std::byte> stream;
+    write_reply(reply, [&](const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(data);
+        stream.insert(stream.end(), bytes, bytes + size);
+    });
+    return stream;
 }
 
 }  // namespace ink::import

@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include "tests/import/imported_meshes.h"
+
 namespace ink::import {
 namespace {
 
@@ -63,15 +65,6 @@ ImportReply sample_reply() {
     motion.morphs = {morph};
     reply.animation = motion;
     return reply;
-}
-
-Bytes stream_of(const ImportReply& reply) {
-    Bytes stream;
-    write_reply(reply, [&](const void* data, std::size_t size) {
-        const auto* bytes = static_cast<const std::byte*>(data);
-        stream.insert(stream.end(), bytes, bytes + size);
-    });
-    return stream;
 }
 
 TEST(SceneStream, GivesBackWhatWasWritten) {
