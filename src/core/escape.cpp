@@ -30,4 +30,13 @@ std::string escape(std::string_view text) {
     return safe;
 }
 
+std::string markdown_cell(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '|') escaped += '\\';
+        escaped += c;
+    }
+    return escaped;
+}
+
 }  // namespace ink::core

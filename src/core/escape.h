@@ -11,4 +11,7 @@ namespace ink::core {
 /// Every name that comes from outside (scenes are called after users' files) goes through here.
 [[nodiscard]] std::string escape(std::string_view text);
 
+/// `text` as it may stand in a cell of a Markdown table, which a bar would end.
+[[nodiscard]] std::string markdown_cell(std::string_view text);
+
 }  // namespace ink::core

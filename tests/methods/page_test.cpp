@@ -1,10 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "core/escape.h"
 #include "core/whole_file.h"
 #include "methods/registry.h"
-#include "tests/methods/parameter_table.h"
 
 namespace ink::methods {
 namespace {
@@ -12,6 +13,21 @@ namespace {
 std::string page_of(const std::string& method) {
     const std::string path = INK_SOURCE_DIR "/methods/" + method + "/" + method + ".md";
     return core::read_whole_file(path).value_or("");
+}
+
+/// The parameters of a method as its page has them, a row each.
+std::string parameter_table(const method::MethodInfo& method) {
+    std::string table =
+        "| parameter | default | values | unit | meaning |\n|---|---|---|---|---|\n";
+    for (const core::Param& param : method.params) {
+        table += fmt::format("| `{}` | `{}` | {} | {} | {} |\n",
+                             param.name,
+                             core::format_param(param, param.default_value),
+                             core::markdown_cell(core::accepted_values(param)),
+                             param.unit,
+                             core::markdown_cell(param.doc));
+    }
+    return table;
 }
 
 TEST(Page, EveryMethodHasItsPartsInOrder) {

@@ -3,22 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/escape.h"
 #include "core/named.h"
 
 namespace ink::harness {
-namespace {
-
-/// Text of a cell of a Markdown table.
-std::string cell_text(const std::string& text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '|') escaped += '\\';
-        escaped += c;
-    }
-    return escaped;
-}
-
-}  // namespace
 
 std::string heading(const TableInfo& table) {
     return fmt::format("{}\n", fmt::join(core::names_of(table.columns), ","));
@@ -30,9 +18,9 @@ std::string dictionary_section(const TableInfo& table) {
     for (const Column& column : table.columns) {
         text += fmt::format("| `{}` | {}{} | {} |\n",
                             column.name,
-                            cell_text(column.unit),
+                            core::markdown_cell(column.unit),
                             column.is_time ? " *time*" : "",
-                            cell_text(column.doc));
+                            core::markdown_cell(column.doc));
     }
     return text;
 }
