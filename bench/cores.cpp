@@ -1,5 +1,3 @@
-#include "bench/cores.h"
-
 #ifdef __linux__
 #include <sched.h>
 #include <unistd.h>
@@ -15,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/benchmarks.h"
 #include "core/parallel.h"
 
 namespace ink::bench {

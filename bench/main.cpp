@@ -11,7 +11,6 @@
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
-#include "bench/cores.h"
 #include "bench/results.h"
 #include "core/error.h"
 #include "core/named.h"

@@ -10,15 +10,18 @@ namespace {
 alignas(64) constexpr std::array<int, kPacket> kAll = {
     -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 
-/// A buffer of Embree's own, of `values` as items of three.
-template <class T>
-void set_buffer(RTCGeometry geometry,
-                RTCBufferType type,
-                RTCFormat format,
-                const std::vector<T>& values) {
-    auto* buffer = static_cast<T*>(
-        rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(T), values.size() / 3));
-    std::copy(values.begin(), values.end(), buffer);
+/// Every triangle as a face, in order, and nothing welded.
+scene::Topology unwelded(const scene::Scene& scene) {
+    scene::Topology topology;
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const auto first = static_cast<std::uint32_t>(topology.p_world.size());
+        for (const glm::vec3& p_object : mesh.positions)
+            topology.p_world.push_back(scene::to_world(instance, p_object));
+        for (const scene::Triangle& t : mesh.triangles)
+            topology.faces.push_back({{first + t[0], first + t[1], first + t[2]}});
+    }
+    return topology;
 }
 
 }  // namespace
@@ -29,35 +32,9 @@ RayTree::RayTree(const scene::Scene& scene, const scene::View& view)
     corner_ = projection.ray_world(0, 0);
     right_ = projection.ray_world(1, 0) - corner_;
     down_ = projection.ray_world(0, 1) - corner_;
-    handles_.device = rtcNewDevice("threads=1");
-    handles_.scene = rtcNewScene(handles_.device);
-    rtcSetSceneFlags(handles_.scene, RTC_SCENE_FLAG_ROBUST);
-    add_triangles(scene, view.camera.eye_world);
-    rtcCommitScene(handles_.scene);
-}
-
-void RayTree::add_triangles(const scene::Scene& scene, const glm::dvec3& eye_world) {
-    std::vector<float> positions;
-    std::vector<std::uint32_t> indices;
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        const auto first = static_cast<std::uint32_t>(positions.size() / 3);
-        for (const glm::vec3& p_object : mesh.positions) {
-            const glm::dvec3 p = scene::to_world(instance, p_object) - eye_world;
-            for (int i = 0; i < 3; ++i)
-                positions.push_back(static_cast<float>(p[i]));
-        }
-        for (const scene::Triangle& t : mesh.triangles) {
-            for (const std::uint32_t v : t)
-                indices.push_back(first + v);
-        }
-    }
-    RTCGeometry geometry = rtcNewGeometry(handles_.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    set_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
-    set_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, indices);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(handles_.scene, geometry);
-    rtcReleaseGeometry(geometry);
+    truth::embree::build(handles_, unwelded(scene), 1, "bench", [&](const glm::dvec3& p_world) {
+        return p_world - view.camera.eye_world;
+    });
 }
 
 PacketIds RayTree::cast(double x_px, double y_px, double step_px) const {

@@ -25,8 +25,6 @@ class RayTree {
     [[nodiscard]] PacketIds cast(double x_px, double y_px, double step_px) const;
 
   private:
-    void add_triangles(const scene::Scene& scene, const glm::dvec3& eye_world);
-
     truth::embree::Handles handles_;
     float near_;
     glm::dvec3 corner_;  ///< the ray's direction at the image's top left corner ...
