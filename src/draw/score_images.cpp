@@ -1,4 +1,4 @@
-#include "draw/score_images.h"
+#include "draw/score_files.h"
 
 #include <algorithm>
 #include <charconv>

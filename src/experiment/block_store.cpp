@@ -35,6 +35,25 @@ void on_disk(const fs::path& place, Work work) {
     }
 }
 
+/// Has `make` fill a folder beside `place`, which takes its place then; nothing half made is left.
+template <class Make>
+void make_anew(const fs::path& place, Make make) {
+    fs::path part = place;
+    part += kUnfinished;
+    on_disk(place, [&] {
+        fs::remove_all(part);
+        try {
+            make(part);
+            fs::remove_all(place);
+            fs::rename(part, place);
+        } catch (...) {
+            std::error_code ignored;
+            fs::remove_all(part, ignored);
+            throw;
+        }
+    });
+}
+
 std::string record_text(const KeptBlock& block, const BlockResult& result) {
     toml::table hashes;
     for (const auto& [table, lines] : result.lines)
@@ -72,27 +91,15 @@ void BlockStore::make_folder() const {
 }
 
 void BlockStore::write(std::size_t index, const KeptBlock& block, const BlockResult& result) const {
-    const fs::path place = place_of(index);
-    fs::path part = place;
-    part += kUnfinished;
-    on_disk(place, [&] {
-        fs::remove_all(part);
+    make_anew(place_of(index), [&](const fs::path& part) {
         fs::create_directories(part);
-        try {
-            for (const auto& [table, lines] : result.lines)
-                core::write_whole_file(part / table, lines);
-            for (const auto& [file, bytes] : result.files) {
-                fs::create_directories((part / file).parent_path());
-                core::write_whole_file(part / file, bytes);
-            }
-            core::write_whole_file(part / kRecord, record_text(block, result));
-            fs::remove_all(place);
-            fs::rename(part, place);
-        } catch (...) {
-            std::error_code ignored;
-            fs::remove_all(part, ignored);
-            throw;
+        for (const auto& [table, lines] : result.lines)
+            core::write_whole_file(part / table, lines);
+        for (const auto& [file, bytes] : result.files) {
+            fs::create_directories((part / file).parent_path());
+            core::write_whole_file(part / file, bytes);
         }
+        core::write_whole_file(part / kRecord, record_text(block, result));
     });
 }
 
@@ -125,14 +132,8 @@ std::vector<std::size_t> BlockStore::indices() const {
 }
 
 void BlockStore::adopt(std::size_t index, const BlockStore& other) const {
-    const fs::path place = place_of(index);
-    fs::path part = place;
-    part += kUnfinished;
-    on_disk(place, [&] {
-        fs::remove_all(part);
+    make_anew(place_of(index), [&](const fs::path& part) {
         fs::copy(other.place_of(index), part, fs::copy_options::recursive);
-        fs::remove_all(place);
-        fs::rename(part, place);
     });
 }
 

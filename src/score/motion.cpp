@@ -158,9 +158,7 @@ PopCount count_pops(std::span<const std::vector<FeatureSight>> frames, const Pop
 MotionFrame motion_frame(const edge::Mask& thinned,
                          const ScoringTruth& truth,
                          const ScoreOptions& options) {
-    check(options);
-    check_same_size(thinned, truth.labels);
-    TruthLists lists = list_truth(truth, options);
+    TruthLists lists = checked_lists(thinned, truth, options);
     PixelList counted = counted_pixels(edge::BitMask(thinned), lists);
     return {PixelList(thinned), std::move(counted), std::move(lists.truth)};
 }

@@ -1,4 +1,4 @@
-#include "studies/skip_scenes.h"
+#include "studies/skip_axes.h"
 
 #include <algorithm>
 #include <cassert>

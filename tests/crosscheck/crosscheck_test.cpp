@@ -98,12 +98,6 @@ TEST(SampledLines, SeesNothingAcrossASlitOfTheWeldTolerance) {
     EXPECT_EQ(lengths(crosscheck).size(), 1U);
 }
 
-double seen_px(const scene::View& view, const glm::dvec3& a, const glm::dvec3& b) {
-    const scene::Projection projection(view);
-    const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
-    return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
-}
-
 /// A box sunk into a floor whose top lies `step` above it, or in its plane, in one object.
 scene::Scene sunk_box(float step) {
     scene::Mesh mesh = truth::box({-1, -1, -1}, {1, 0, 1});
@@ -125,11 +119,12 @@ TEST(SampledLines, SeesARimAndItsFootBetweenTwoSamples) {
     const scene::View view = truth::view_from({4, 6, 0.5}, {0, 0, 0});
     const SampledLines crosscheck = look(sunk_box(1e-5F), view);
     const glm::dvec3 a(1, 0, 1), b(1, 0, -1), c(-1, 0, -1), d(-1, 0, 1);
-    expect_length(crosscheck, truth::LineClass::crease, seen_px(view, a, b));
-    expect_length(crosscheck, truth::LineClass::intersection, seen_px(view, a, b));
-    expect_length(crosscheck,
-                  truth::LineClass::contour,
-                  seen_px(view, b, c) + seen_px(view, c, d) + seen_px(view, d, a));
+    expect_length(crosscheck, truth::LineClass::crease, truth::length_px(view, a, b));
+    expect_length(crosscheck, truth::LineClass::intersection, truth::length_px(view, a, b));
+    expect_length(
+        crosscheck,
+        truth::LineClass::contour,
+        truth::length_px(view, b, c) + truth::length_px(view, c, d) + truth::length_px(view, d, a));
 }
 
 TEST(SampledLines, SeesBothSidesOfAGapBetweenTwoSamples) {
@@ -140,9 +135,12 @@ TEST(SampledLines, SeesBothSidesOfAGapBetweenTwoSamples) {
     const SampledLines crosscheck = look(truth::scene_of({truth::box({-1, -1, -1}, {0, 1, 0}),
                                                           truth::box({kGap, -1, -1}, {1, 1, 0})}),
                                          view);
-    const auto across = [&](double x, double z) { return seen_px(view, {x, -1, z}, {x, 1, z}); };
-    const double along = seen_px(view, {-1, 1, 0}, {0, 1, 0}) + seen_px(view, {0, 1, 0}, {1, 1, 0});
-    const double side = seen_px(view, {-1, 1, -1}, {-1, 1, 0});
+    const auto across = [&](double x, double z) {
+        return truth::length_px(view, {x, -1, z}, {x, 1, z});
+    };
+    const double along = truth::length_px(view, {-1, 1, 0}, {0, 1, 0}) +
+                         truth::length_px(view, {0, 1, 0}, {1, 1, 0});
+    const double side = truth::length_px(view, {-1, 1, -1}, {-1, 1, 0});
     expect_length(crosscheck, truth::LineClass::crease, across(-1, 0) + across(kGap, 0));
     expect_length(crosscheck,
                   truth::LineClass::contour,
