@@ -45,13 +45,6 @@ score::ScoreOptions score_options(int threshold) {
     return options;
 }
 
-Scored score_image(const edge::EdgeImage& image, const score::ScoringTruth& truth, int threshold) {
-    const score::ScoreOptions options = score_options(threshold);
-    score::check(options);
-    score::check_same_size(image, truth.labels);
-    return score_image(image, list_tolerances(truth), threshold);
-}
-
 Scored score_image(const edge::EdgeImage& image,
                    std::span<const score::TruthLists> lists,
                    int threshold) {

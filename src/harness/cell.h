@@ -61,12 +61,8 @@ struct Scored {
 /// How `image` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
 [[nodiscard]] score::ScoreOptions score_options(int threshold);
 
-/// Scores `image` at `threshold` with all tolerances and the whole curve at 2 px.
-[[nodiscard]] Scored score_image(const edge::EdgeImage& image,
-                                 const score::ScoringTruth& truth,
-                                 int threshold);
-
-/// The same against list_tolerances() of the truth.
+/// Scores `image` at `threshold` with all tolerances and the whole curve at 2 px, against
+/// list_tolerances() of the truth.
 [[nodiscard]] Scored score_image(const edge::EdgeImage& image,
                                  std::span<const score::TruthLists> lists,
                                  int threshold);

@@ -110,16 +110,15 @@ TEST(FillScores, CountsAddUpAndNullsStayNull) {
     edge::EdgeImage image(40, 40);
     for (int x = 10; x < 20; ++x)
         image.at(x, 20) = 255;
+    const auto truth = list_tolerances(score::prepare_truth(labels, options, true));
     Row row;
-    fill_scores(score_image(image, score::prepare_truth(labels, options, true), 128), row);
+    fill_scores(score_image(image, truth, 128), row);
     EXPECT_EQ(row.k_2px + row.unmatched_truth + row.false_negatives, row.n_truth);
     EXPECT_EQ(row.k_2px + row.unmatched_duplicates + row.false_positives, row.n_pred);
     EXPECT_EQ(row.precision_2px, 1.0);
 
     Row empty;
-    fill_scores(
-        score_image(edge::EdgeImage(40, 40), score::prepare_truth(labels, options, true), 128),
-        empty);
+    fill_scores(score_image(edge::EdgeImage(40, 40), truth, 128), empty);
     EXPECT_EQ(empty.f_2px, 0.0);
     EXPECT_FALSE(empty.precision_2px.has_value());
     EXPECT_FALSE(empty.mean_width_px.has_value());

@@ -71,7 +71,7 @@ Explained explain(const scene::Scene& scene,
     truth::SceneModel model(scene, {});
     Explained result{trace_view(model, view, {}), {}};
     const int threshold = methods[0]->threshold();
-    result.scored = score_image(images[0], result.truth.scoring, threshold);
+    result.scored = score_image(images[0], list_tolerances(result.truth.scoring), threshold);
     MissPredictor predictor(scene);
     result.scored.attribution = predictor.attribute(
         result.scored.wrong_2px, result.truth, view, {methods[0]->method().code(), threshold});
