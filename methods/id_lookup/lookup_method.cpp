@@ -159,6 +159,13 @@ LookupPass::LookupPass(const LookupParams& params, const std::optional<CodedLook
       params_(params),
       coded_(coded) {}
 
+void LookupWord::require_room(std::size_t faces) {
+    if (faces < kFaceOfCoded) return;
+    throw core::Error("surface_lookup",
+                      fmt::format("{} triangles", faces),
+                      fmt::format("less than {}", kFaceOfCoded));
+}
+
 void LookupPass::prepare(const scene::PreparedScene& scene) {
     codes_.clear();
     ConstantPass::prepare(scene);
@@ -175,11 +182,7 @@ std::vector<std::uint32_t> LookupPass::constants_of(const scene::PreparedScene& 
 /// and both faces of an edge where codes and mesh disagree whether it is a line.
 std::vector<std::uint32_t> LookupPass::words_of(const scene::PreparedScene& scene) {
     const std::size_t count = mesh_.faces.size();
-    if (count >= LookupWord::kFaceOfCoded) {
-        throw core::Error("surface_lookup",
-                          fmt::format("{} triangles", count),
-                          fmt::format("less than {}", LookupWord::kFaceOfCoded));
-    }
+    LookupWord::require_room(count);
     if (codes_.empty()) codes_ = object_codes(scene, coded_->codes);
     std::vector<std::uint32_t> words(count);
     for (std::size_t t = 0; t < codes_.size(); ++t) {

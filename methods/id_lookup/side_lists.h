@@ -14,6 +14,9 @@ struct LookupWord {
     static constexpr std::uint32_t kFaceOfCoded = 0x7fffff;
     static constexpr std::uint32_t kFlag = 0x800000;
     static constexpr int kCodeShift = 24;
+
+    /// Throws core::Error if so many faces have no numbers.
+    static void require_room(std::size_t faces);
 };
 
 /// What codes and depths decide without the mesh, of words that hold codes.

@@ -96,7 +96,7 @@ HWY_INLINE void keep_others(const WordTile& words, const RowSides& row, SideList
         const std::uint32_t first = row.first[i] & words.face_bits;
         const std::uint32_t second = row.second[i] & words.face_bits;
         const int mine = words.facing[first], theirs = words.facing[second];
-        bool is_open = first == second;
+        bool is_open = false;
         for (const Twin twin : words.faces[first].twins) {
             const bool is_beyond = ((twin.word ^ second << 2) & kSame) == 0;
             is_open |= is_beyond && mine != 0 && theirs == (twin.is_turned() ? -mine : mine);

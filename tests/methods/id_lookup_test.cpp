@@ -7,6 +7,7 @@
 
 #include "catalogue/shapes.h"
 #include "scene/topology.h"
+#include "tests/core/error_text.h"
 #include "tests/methods/small_scenes.h"
 #include "truth/truth.h"
 
@@ -151,6 +152,103 @@ TEST(IdLookup, HairlineCracksAreClosed) {
     const auto image = drawn("id_lookup", {}, scene, {inside, 1});
     // The rasterizer's own sparkles in a T-junction are left: single samples of sky, 2 x 2 px each.
     EXPECT_LE(std::count(image.data(), image.data() + image.size(), 255), 8);
+}
+
+/// Three walls that meet at an edge, as an open book has, and a floor that coincides with another.
+scene::Scene walls_at_an_edge() {
+    scene::Mesh mesh;
+    mesh.positions = {{0, -1, 0},
+                      {0, 1, 0},
+                      {1, -1, 0},
+                      {1, 1, 0},
+                      {-1, -1, 0.6},
+                      {-1, 1, 0.6},
+                      {-1, -1, -0.8},
+                      {-1, 1, -0.8}};
+    for (const std::uint32_t to : {2U, 4U, 6U})
+        mesh.triangles.insert(mesh.triangles.end(), {{0, to, 1}, {1, to, to + 1}});
+    scene::Scene scene = scene_of({mesh, floor_mesh(1), floor_mesh(0.7F)});
+    for (const std::size_t floor : {1U, 2U})
+        scene.instances[floor].world_from_object = glm::translate(glm::dmat4(1), {0, -1.2, 0});
+    return scene;
+}
+
+TEST(IdLookup, DrawsWhereAWalkInFullFindsAClass) {
+    // A frame looks at half of the sides in whole numbers and leaves others out; classes are made
+    // of walks in full alone.
+    for (const scene::Scene& scene : {boxes(),
+                                      cube_on_floor(),
+                                      walls_at_an_edge(),
+                                      scene_of({catalogue::make_icosphere(1, 4)}),
+                                      scene_of({catalogue::make_torus({1, 0.4}, {70, 30})})}) {
+        for (const buffers::Samples samples :
+             {buffers::Samples::corner, buffers::Samples::centre}) {
+            for (const glm::dvec3 eye :
+                 {glm::dvec3{5, 6, 12}, {0.3, 0.1, 1.6}, {-1.2, 0.9, 0.2}, {30, 2, -40}}) {
+                const scene::View view = view_from(scene, eye, {0, 0, 0.1}, {210, 140});
+                LookupParams params;
+                params.samples = samples;
+                const auto kinds = classes_of(scene, view, params);
+                const auto image =
+                    drawn("id_lookup",
+                          {{"samples", samples == buffers::Samples::corner ? "corner" : "centre"}},
+                          scene,
+                          {view, 1});
+                for (std::size_t i = 0; i < image.size(); ++i)
+                    ASSERT_EQ(image.data()[i] != 0, kinds.data()[i] != LineKind::none) << i;
+            }
+        }
+    }
+}
+
+/// In how many pixels two images differ.
+std::ptrdiff_t difference_px(const edge::EdgeImage& one, const edge::EdgeImage& other) {
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        count += one.data()[i] != other.data()[i];
+    return count;
+}
+
+TEST(SurfaceLookup, DrawsWhatIdLookupDraws) {
+    for (const scene::Scene& scene : {boxes(),
+                                      cube_on_floor(),
+                                      walls_at_an_edge(),
+                                      scene_of({catalogue::make_icosphere(1, 4)}),
+                                      scene_of({catalogue::make_torus({1, 0.4}, {70, 30})})}) {
+        for (const glm::dvec3 eye : {glm::dvec3{5, 6, 12}, {-3.2, 1.9, 4}, {3, 0.5, -4}}) {
+            const scene::View view = view_from(scene, eye, {0, 0, 0.1}, {310, 240});
+            const auto exact = drawn("id_lookup", {}, scene, {view, 1});
+            const auto coded = drawn("surface_lookup", {}, scene, {view, 1});
+            const auto lines = std::count(exact.data(), exact.data() + exact.size(), 255);
+            EXPECT_GT(lines, 100);
+            EXPECT_LE(difference_px(exact, coded), lines / 100);
+        }
+    }
+}
+
+TEST(SurfaceLookup, FlagsFollowThePose) {
+    // Two walls that become one: what was a boundary between them is no line any more.
+    scene::Scene apart = scene_of({floor_mesh(1), floor_mesh(1)});
+    scene::Scene together = apart;
+    apart.instances[1].world_from_object = glm::translate(glm::dmat4(1), {2.5, 0, 0});
+    together.instances[1].world_from_object = glm::translate(glm::dmat4(1), {2, 0.5, 0});
+    const scene::View view = view_from(apart, {1, 3, 4}, {1, 0, 0}, {310, 240});
+    for (const char* name : {"surface_lookup", "id_lookup"}) {
+        const auto method = find_method(name).make({});
+        edge::EdgeImage out(view.width_px, view.height_px);
+        method->prepare(apart);
+        for (const scene::Scene& scene : {together, apart, together}) {
+            method->pose(scene);
+            method->draw({view, 1}, out);
+            EXPECT_EQ(out, drawn(name, {}, scene, {view, 1})) << name;
+        }
+    }
+}
+
+TEST(SurfaceLookup, RefusesMoreFacesThanAWordNames) {
+    EXPECT_NO_THROW(LookupWord::require_room(LookupWord::kFaceOfCoded - 1));
+    EXPECT_EQ(core::error_text([] { LookupWord::require_room(LookupWord::kFaceOfCoded); }),
+              "surface_lookup: 8388607 triangles (accepted: less than 8388607)");
 }
 
 }  // namespace
