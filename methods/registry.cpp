@@ -33,7 +33,7 @@
     X(blurred_silhouette) \
     X(label8) \
     X(surface8) \
-    X(surface16) \
+    X(surface8_depth) \
     X(surface_lookup) \
     X(auto)
 // clang-format on

@@ -10,9 +10,22 @@
 #include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {
+namespace {
+
+class Surface8 : public CodeMethod {
+  public:
+    using Params = SurfaceCodeParams;
+    static core::ParamTable<Params> table() {
+        core::ParamTable<Params> table;
+        return add_surface_code_params(table);
+    }
+    explicit Surface8(const Params& params) : CodeMethod(params, surface_setup(params)) {}
+};
+
+}  // namespace
 
 method::MethodInfo surface8_method() {
-    return method::method_info<SurfaceCodeMethod<1>>("surface8");
+    return method::method_info<Surface8>("surface8");
 }
 
 }  // namespace ink::methods

@@ -8,7 +8,6 @@
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
-#include "edge/side_differences.h"
 
 namespace ink::methods {
 namespace {
@@ -23,44 +22,13 @@ CodeOptions code_options(const CodeParams& params, const CodeSetup& setup) {
     return options;
 }
 
-/// Edge responses of a tile.
-template <class Code>
-void draw_differences(const raster::Tile& drawn,
-                      edge::Sides sides,
-                      int gain_bits,
-                      edge::EdgeImage& out) {
-    if (drawn.is_empty) return buffers::clear_tile(drawn, out);
-    const raster::Tile tile = buffers::output_tile(drawn, out.width_px(), out.height_px());
-    if (tile.width_px <= 0 || tile.height_px <= 0) return;
-    edge::side_differences(
-        {tile.row<Code>(0, 0), tile.width_px, tile.height_px, tile.stride},
-        {out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()},
-        sides,
-        gain_bits);
-}
-
-glm::u8vec3 color_of(std::uint8_t code) {
-    return glm::u8vec3(code);
-}
-glm::u8vec3 color_of(std::uint16_t code) {
-    return {static_cast<std::uint8_t>(code & 0xff), static_cast<std::uint8_t>(code >> 8), 0};
-}
-
-/// Calls use(code) with a code of the type that holds so many bytes.
-template <class Use>
-auto with_code(int bytes, Use use) {
-    return bytes == 1 ? use(std::uint8_t{}) : use(std::uint16_t{});
-}
-
 }  // namespace
 
 CodePass::CodePass(const CodeParams& params, const CodeSetup& setup)
-    : ConstantPass(
-          buffers::constant_inputs(params),
-          buffers::constant_format(
-              setup.bytes == 1 ? raster::Store::u8 : raster::Store::u16, params.depth_format, 1),
-          0,
-          true),
+    : ConstantPass(buffers::constant_inputs(params),
+                   buffers::constant_format(raster::Store::u8, params.depth_format, setup.halo_px),
+                   0,
+                   true),
       params_(params),
       setup_(setup),
       surface_codes_(code_options(params, setup)) {}
@@ -80,7 +48,7 @@ std::vector<std::uint32_t> CodePass::constants_of(const scene::PreparedScene& sc
 
 /// What codes of a scene depend on.
 std::string CodePass::name_of_codes() const {
-    return fmt::format("surface codes {} {} {} {} {} {} {} {} {} {}",
+    return fmt::format("surface codes {} {} {} {} {} {} {} {}",
                        params_.crease_deg,
                        params_.weld_epsilon,
                        setup_.turn_rad,
@@ -88,8 +56,6 @@ std::string CodePass::name_of_codes() const {
                        setup_.range.lowest,
                        setup_.range.highest,
                        setup_.range.least_difference,
-                       setup_.range.is_second,
-                       setup_.bytes,
                        lengths_world_.empty() ? 0 : lengths_world_.front());
 }
 
@@ -110,25 +76,32 @@ void CodePass::follow_view(const method::Frame& /*frame*/) {
     take(surface_codes_.codes(lengths_world_));
 }
 
-raster::SkipCounts CodeMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
+void CodeMethod::draw_tile(const raster::Tile& drawn, edge::EdgeImage& image) const {
+    if (drawn.is_empty) return buffers::clear_tile(drawn, image);
+    const raster::Tile tile = buffers::output_tile(drawn, image.width_px(), image.height_px());
+    if (tile.width_px <= 0 || tile.height_px <= 0) return;
+    const core::ImageView<std::uint8_t> out{
+        image.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, image.width_px()};
     const bool has_corners = samples_ == buffers::Samples::corner;
     const edge::Sides sides = has_corners ? edge::Sides::square : edge::Sides::forward;
-    return with_code(setup_.bytes, [&](auto code) {
-        buffers::EachTile sink([&](const raster::Tile& tile) {
-            draw_differences<decltype(code)>(tile, sides, setup_.gain_bits, out);
-        });
-        return pass().draw_lines(frame, sink, out);
-    });
+    edge::side_differences(
+        {tile.row<std::uint8_t>(0, 0), tile.width_px, tile.height_px, tile.stride},
+        out,
+        sides,
+        gain_bits_);
+    add_lines(tile, sides, out);
+}
+
+raster::SkipCounts CodeMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
+    buffers::EachTile sink([&](const raster::Tile& tile) { draw_tile(tile, out); });
+    return pass().draw_lines(frame, sink, out);
 }
 
 std::vector<method::Layer> CodeMethod::layers(const method::Frame& frame) {
-    method::Layer layer = with_code(setup_.bytes, [&](auto code) {
-        using Code = decltype(code);
-        return pass().layer<Code>(frame, "codes", [](Code each) { return color_of(each); });
-    });
-    layer.codes = {core::mapped<std::uint16_t>(layer.rgb, [&](const glm::u8vec3& color) {
-        return static_cast<std::uint16_t>(setup_.bytes == 1 ? color.x : color.x | color.y << 8);
-    })};
+    method::Layer layer = pass().layer<std::uint8_t>(
+        frame, "codes", [](std::uint8_t code) { return glm::u8vec3(code); });
+    layer.codes = {core::mapped<std::uint16_t>(
+        layer.rgb, [](const glm::u8vec3& color) { return std::uint16_t{color.x}; })};
     return {std::move(layer)};
 }
 

@@ -6,6 +6,7 @@
 
 #include "buffers/constant_pass.h"
 #include "buffers/surface_method.h"
+#include "edge/side_differences.h"
 #include "methods/surface_codes/surface_codes.h"
 
 namespace ink::methods {
@@ -38,9 +39,10 @@ struct CodeSetup : CodeOptions {
     Footprint footprint = Footprint::none;
     double length_px = 0;  ///< that a step covers at least, by the footprint
     int gain_bits = 0;     ///< of the response, see edge::side_differences
+    int halo_px = 1;       ///< that whoever adds lines reads
 };
 
-/// A scene drawn as surface codes, u8 or u16 in plane 0, 0 where nothing is.
+/// A scene drawn as surface codes, u8 in plane 0, 0 where nothing is.
 class CodePass : public buffers::ConstantPass {
   public:
     CodePass(const CodeParams& params, const CodeSetup& setup);
@@ -59,26 +61,31 @@ class CodePass : public buffers::ConstantPass {
     std::vector<float> lengths_world_;  ///< of the last view, per triangle
 };
 
-/// A byte or two a triangle, nothing interpolated: a line wherever the codes of neighbouring
-/// samples differ.
+/// A byte a triangle, nothing interpolated: a line wherever the codes of neighbouring samples
+/// differ.
 ///
-/// What surface8, surface16 and label8 share: they differ in their codes alone.
+/// What label8, surface8 and surface8_depth share.
 class CodeMethod : public buffers::SurfaceMethod<CodePass> {
   public:
     CodeMethod(const CodeParams& params, const CodeSetup& setup)
-        : SurfaceMethod(params, setup), samples_(params.samples), setup_(setup) {}
+        : SurfaceMethod(params, setup), samples_(params.samples), gain_bits_(setup.gain_bits) {}
 
-    /// `codes`: black where nothing is, dark to white; of two bytes, in red and green.
+    /// `codes`: black where nothing is, dark to white.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
+
+  protected:
+    [[nodiscard]] method::PixelBytes filter_bytes() const override { return {1, 1}; }
+    /// Adds to a tile's edge responses what other than its codes tells lines.
+    virtual void add_lines(const raster::Tile& /*tile*/,
+                           edge::Sides /*sides*/,
+                           const core::ImageView<std::uint8_t>& /*out*/) const {}
 
   private:
     raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) override;
-    [[nodiscard]] method::PixelBytes filter_bytes() const override {
-        return {static_cast<double>(setup_.bytes), 1};
-    }
+    void draw_tile(const raster::Tile& drawn, edge::EdgeImage& out) const;
 
     buffers::Samples samples_;
-    CodeSetup setup_;
+    int gain_bits_;
 };
 
 }  // namespace ink::methods

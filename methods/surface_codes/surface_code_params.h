@@ -14,10 +14,9 @@ struct SurfaceCodeParams : CodeParams {
     int rounds = 10;
 };
 
-/// The rows of SurfaceCodeParams.
-[[nodiscard]] inline core::ParamTable<SurfaceCodeParams> surface_code_table() {
-    using P = SurfaceCodeParams;
-    core::ParamTable<P> table;
+/// Appends the rows of SurfaceCodeParams to a table whose struct derives from it.
+template <class P>
+core::ParamTable<P>& add_surface_code_params(core::ParamTable<P>& table) {
     table
         .number(&P::turn_deg,
                 "turn_deg",
@@ -43,8 +42,8 @@ struct SurfaceCodeParams : CodeParams {
         "Least edge response of a line pixel: 64 for each step between codes.");
 }
 
-/// How codes of surface distance are made and looked at, of one byte or two.
-[[nodiscard]] inline CodeSetup surface_setup(const SurfaceCodeParams& params, int bytes) {
+/// How codes of surface distance are made and looked at.
+[[nodiscard]] inline CodeSetup surface_setup(const SurfaceCodeParams& params) {
     CodeSetup setup;
     setup.turn_rad = glm::radians(params.turn_deg);
     setup.rounds = params.rounds;
@@ -52,18 +51,7 @@ struct SurfaceCodeParams : CodeParams {
     setup.footprint = params.footprint;
     setup.length_px = params.length_px;
     setup.gain_bits = 6;  // a difference of 2, the least that is a line, is 128
-    setup.bytes = bytes;
     return setup;
 }
-
-/// What draws them.
-template <int kBytes>
-class SurfaceCodeMethod : public CodeMethod {
-  public:
-    using Params = SurfaceCodeParams;
-    static core::ParamTable<Params> table() { return surface_code_table(); }
-    explicit SurfaceCodeMethod(const Params& params)
-        : CodeMethod(params, surface_setup(params, kBytes)) {}
-};
 
 }  // namespace ink::methods

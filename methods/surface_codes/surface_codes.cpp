@@ -89,10 +89,6 @@ class Losses {
     std::vector<double> lost_;
 };
 
-/// How much longer the steps of a second code are: where both can find a line, the first has, and
-/// what the second adds should be certain. From 1, 2, 3 and 4 on the training scenes.
-constexpr float kSecondLength = 2;
-
 /// Per face a code from its distance, in units of kStep: the distance and the phase of its patch, a
 /// whole number of steps, to and fro between the ends of the range.
 ///
@@ -114,9 +110,7 @@ std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
         // A patch of one code needs no more of them than tell it from others of its kind.
         const std::int32_t stride = greatest[patch] < kStep ? range.least_difference : 1;
         const auto starts = static_cast<std::uint32_t>(fold.period() / 2 / stride);
-        // Patches that get one number in one set of codes must not in the other.
-        const std::uint32_t number = range.is_second ? patch * 40503U : patch;
-        const auto start = static_cast<std::int32_t>(scattered(number, starts)) * stride;
+        const auto start = static_cast<std::int32_t>(scattered(patch, starts)) * stride;
         losses.start();
         for (const PatchBorders::Side& side : borders.of(patch)) {
             const std::uint32_t other = mesh.patch_of[side.beyond];
@@ -153,44 +147,25 @@ void SurfaceCodes::prepare(const scene::PreparedScene& scene) {
 
 std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_world) {
     const SmoothMesh& mesh = *mesh_;
-    const auto lowest = static_cast<std::uint32_t>(options_.range.lowest);
-    std::vector<std::uint32_t> codes(face_of_.size(), 0);
     slits_ = {};
-    const auto add = [&](std::span<const std::int32_t> distances, bool is_second) {
-        CodeRange range = options_.range;
-        range.is_second = is_second;
-        const std::vector<std::uint8_t> of_faces = phased_codes(mesh, distances, range);
-        for (std::size_t t = 0; t < codes.size(); ++t) {
-            const std::uint32_t face = face_of_[t];
-            const std::uint32_t code = face == SmoothMesh::kNone ? lowest : of_faces[face];
-            codes[t] |= is_second ? code << 8 : code;
-        }
-    };
-    if (options_.turn_rad == 0) {
-        add(std::vector<std::int32_t>(mesh.face_count(), 0), false);
-        return codes;
-    }
-    StepCosts costs{options_.turn_rad, {}};
-    if (!length_world.empty()) {
-        costs.length_world.resize(mesh.face_count());
-        for (std::size_t f = 0; f < mesh.face_count(); ++f)
-            costs.length_world[f] = length_world[mesh.topology.faces[f].triangle];
-    }
-    for (int byte = 0; byte < options_.bytes; ++byte) {
-        const bool is_second = byte == 1;
-        if (is_second) {
-            for (float& length : costs.length_world)
-                length *= kSecondLength;
+    std::vector<std::int32_t> distances(mesh.face_count(), 0);
+    if (options_.turn_rad > 0) {
+        StepCosts costs{options_.turn_rad, {}};
+        if (!length_world.empty()) {
+            costs.length_world.resize(mesh.face_count());
+            for (std::size_t f = 0; f < mesh.face_count(); ++f)
+                costs.length_world[f] = length_world[mesh.topology.faces[f].triangle];
         }
         SurfaceGraph graph(mesh, costs);
         if (options_.rounds > 0) steepen_short_slits(mesh, graph);
-        add(surface_distance(mesh,
-                             graph,
-                             is_second ? End::side : End::first,
-                             options_.rounds,
-                             is_second ? nullptr : &slits_),
-            is_second);
+        distances = surface_distance(mesh, graph, options_.rounds, &slits_);
     }
+    const std::vector<std::uint8_t> of_faces = phased_codes(mesh, distances, options_.range);
+    const auto lowest = static_cast<std::uint32_t>(options_.range.lowest);
+    std::vector<std::uint32_t> codes(face_of_.size());
+    std::transform(face_of_.begin(), face_of_.end(), codes.begin(), [&](std::uint32_t face) {
+        return face == SmoothMesh::kNone ? lowest : of_faces[face];
+    });
     return codes;
 }
 

@@ -16,8 +16,6 @@ struct CodeRange {
     int highest = 255;
     /// Codes that differ by less belong together.
     int least_difference = 2;
-    /// Which numbers free patches get: two sets of codes must not agree in them.
-    bool is_second = false;
 };
 
 /// How codes follow the surface.
@@ -26,11 +24,9 @@ struct CodeOptions {
     double turn_rad = 0;  ///< turning of the normal that costs a step; 0: a patch has one code
     int rounds = 0;       ///< of lifting one side of creases that end inside a patch
     CodeRange range;
-    /// 1, or 2: then a second code, of distances from another end, stands above the first.
-    int bytes = 1;
 };
 
-/// One code of a byte or two per triangle of a scene: what methods without interpolants draw.
+/// One code of a byte per triangle of a scene: what methods without interpolants draw.
 ///
 /// Codes are functions of the scene as it rests (at the start of its animation, if it has one), and
 /// of a footprint: the length that a step must cover at least. So they stay while a scene moves.

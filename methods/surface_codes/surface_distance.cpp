@@ -207,19 +207,15 @@ void steepen_short_slits(const SmoothMesh& mesh, SurfaceGraph& graph) {
     graph.steepen(ends);
 }
 
-std::vector<std::int32_t> surface_distance(
-    const SmoothMesh& mesh, const SurfaceGraph& graph, End end, int rounds, SlitCount* slits) {
+std::vector<std::int32_t> surface_distance(const SmoothMesh& mesh,
+                                           const SurfaceGraph& graph,
+                                           int rounds,
+                                           SlitCount* slits) {
     std::vector<std::uint32_t> ends(mesh.patch_count, SmoothMesh::kNone);
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         ends[mesh.patch_of[f]] = std::min(ends[mesh.patch_of[f]], f);
-    ends = farthest_faces(mesh, distances_from(graph, ends));
-    std::vector<std::int32_t> distances = distances_from(graph, ends);
-    if (end == End::side) {
-        const auto opposite = distances_from(graph, farthest_faces(mesh, distances));
-        for (std::size_t i = 0; i < distances.size(); ++i)
-            distances[i] = std::min(distances[i], opposite[i]);
-        distances = distances_from(graph, farthest_faces(mesh, distances));
-    }
+    std::vector<std::int32_t> distances =
+        distances_from(graph, farthest_faces(mesh, distances_from(graph, ends)));
     std::vector<Slit> inner = find_slits(mesh, graph);
     part_slits(graph, rounds, inner, distances);
     if (slits) {

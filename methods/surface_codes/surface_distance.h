@@ -13,17 +13,12 @@ struct SlitCount {
     std::size_t parted = 0;  ///< of these, two whole steps or more apart
 };
 
-/// From where distances count in each patch.
-enum class End {
-    first,  ///< what lies farthest from the patch's first face
-    side,   ///< what lies farthest from the first end and from what is farthest from that
-};
-
 /// Makes ways steep round the ends of creases that are too short to be parted: there, and two faces
 /// round, every way costs a whole step.
 void steepen_short_slits(const SmoothMesh& mesh, SurfaceGraph& graph);
 
-/// Per face how far it lies from an end of its patch, in units of kStep.
+/// Per face how far it lies from an end of its patch, in units of kStep: from what lies farthest
+/// from the patch's first face.
 ///
 /// Across a crease inside a patch, where
 /// the distance may be the same on both sides, one side is lifted: by as little as parts them by
@@ -32,7 +27,6 @@ void steepen_short_slits(const SmoothMesh& mesh, SurfaceGraph& graph);
 /// Between the ends of a way distances never differ by more than its cost.
 [[nodiscard]] std::vector<std::int32_t> surface_distance(const SmoothMesh& mesh,
                                                          const SurfaceGraph& graph,
-                                                         End end,
                                                          int rounds,
                                                          SlitCount* slits = nullptr);
 

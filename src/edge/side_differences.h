@@ -21,10 +21,5 @@ void side_differences(const core::ImageView<const std::uint8_t>& codes,
                       const core::ImageView<std::uint8_t>& out,
                       Sides sides,
                       int gain_bits);
-/// The same of two codes a pixel, in the low and the high byte: the larger of their differences.
-void side_differences(const core::ImageView<const std::uint16_t>& codes,
-                      const core::ImageView<std::uint8_t>& out,
-                      Sides sides,
-                      int gain_bits);
 
 }  // namespace ink::edge

@@ -44,39 +44,6 @@ void side_rows(const core::ImageView<const std::uint8_t>& codes,
     }
 }
 
-void pair_rows(const core::ImageView<const std::uint16_t>& codes,
-               const core::ImageView<std::uint8_t>& out,
-               Sides sides,
-               int gain_bits) {
-    constexpr int kLanes = HWY_LANES(std::uint16_t);
-    const bool is_square = sides == Sides::square;
-    for (int y = 0; y < out.height_px; ++y) {
-        const std::uint16_t* upper = codes.row(y);
-        const std::uint16_t* lower = upper + codes.stride;
-        std::uint8_t* to = out.row(y);
-        cover<std::uint16_t, kLanes>(out.width_px, kLanes, [=](auto d, int x) HWY_ATTR {
-            const hn::Rebind<std::uint8_t, decltype(d)> d_out;
-            const hn::RebindToSigned<decltype(d)> d_signed;
-            const auto most_byte = hn::Set(d, std::uint16_t{0xff});
-            const auto a = hn::LoadU(d, upper + x);
-            const auto b = hn::LoadU(d, upper + x + 1);
-            const auto c = hn::LoadU(d, lower + x);
-            const auto low = [=](auto v) HWY_ATTR { return hn::And(v, most_byte); };
-            const auto high = [](auto v) HWY_ATTR { return hn::ShiftRight<8>(v); };
-            auto most =
-                hn::Max(most_side(low(a), low(b), low(c)), most_side(high(a), high(b), high(c)));
-            if (is_square) {
-                const auto e = hn::LoadU(d, lower + x + 1);
-                most = hn::Max(most,
-                               hn::Max(most_side(low(e), low(b), low(c)),
-                                       most_side(high(e), high(b), high(c))));
-            }
-            const auto scaled = hn::Min(hn::ShiftLeftSame(most, gain_bits), most_byte);
-            hn::StoreU(hn::DemoteTo(d_out, hn::BitCast(d_signed, scaled)), d_out, to + x);
-        });
-    }
-}
-
 }  // namespace ink::edge::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -85,7 +52,6 @@ namespace ink::edge {
 namespace {
 
 HWY_EXPORT(side_rows);
-HWY_EXPORT(pair_rows);
 
 }  // namespace
 
@@ -94,13 +60,6 @@ void side_differences(const core::ImageView<const std::uint8_t>& codes,
                       Sides sides,
                       int gain_bits) {
     HWY_DYNAMIC_DISPATCH(side_rows)(codes, out, sides, gain_bits);
-}
-
-void side_differences(const core::ImageView<const std::uint16_t>& codes,
-                      const core::ImageView<std::uint8_t>& out,
-                      Sides sides,
-                      int gain_bits) {
-    HWY_DYNAMIC_DISPATCH(pair_rows)(codes, out, sides, gain_bits);
 }
 
 }  // namespace ink::edge

@@ -1,4 +1,4 @@
-// Roberts, Sobel, blur and threshold on every SIMD target against their plain formulas.
+// Roberts, Sobel, blur, jumps and threshold on every SIMD target against their plain formulas.
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "edge/binomial_blur.h"
+#include "edge/depth_jumps.h"
 #include "edge/roberts.h"
 #include "edge/side_differences.h"
 #include "edge/sobel.h"
@@ -64,32 +65,45 @@ TEST(SideDifferences, AreThePlainFormula) {
     }
 }
 
-TEST(SideDifferences, OfPairsAreTheLargerOfBothBytes) {
-    on_every_target([] {
-        for (int width = 0; width <= 130; ++width) {
-            Guarded<std::uint16_t> in(width, 3, width % 67, 0);
-            fill_adversarially(in.pixels(), static_cast<unsigned>(width));
-            Guarded<std::uint8_t> low(width, 3, width % 67, 0), high = low;
-            for (std::size_t i = 0; i < in.pixels().size(); ++i) {
-                low.pixels()[i] = static_cast<std::uint8_t>(in.pixels()[i] & 0xff);
-                high.pixels()[i] = static_cast<std::uint8_t>(in.pixels()[i] >> 8);
-            }
-            Guarded<std::uint8_t> out(width, 3, width % 61, 77);
-            for (const Sides sides : {Sides::square, Sides::forward}) {
-                side_differences(in.view(), out.view(), sides, 6);
-                for (int y = 0; y < 3; ++y) {
-                    for (int x = 0; x < width; ++x) {
-                        const auto plain = [&](auto& bytes) {
-                            return plain::side_difference_at(
-                                bytes.view().row(y) + x, bytes.view().stride, sides, 6);
-                        };
-                        ASSERT_EQ(out.view().at(x, y), std::max(plain(low), plain(high)));
-                    }
-                }
-            }
-            ASSERT_TRUE(out.is_margin_whole());
+TEST(DepthJumps, AreThePlainFormulaAndLeaveOtherPixels) {
+    for (const Sides sides : {Sides::square, Sides::forward}) {
+        for (const DepthJump& jump : {DepthJump{0.01F, 0, 2}, {0.1F, 0.05F, 0.5F}, {1e-7F, 0, 1}}) {
+            expect_every_width<float>(
+                [&](auto in, auto out) {
+                    core::Image<std::uint8_t> marks(out.width_px, out.height_px, 77);
+                    add_depth_jumps(in, marks.view(), sides, jump);
+                    for (int y = 0; y < out.height_px; ++y)
+                        std::copy_n(marks.row(y), out.width_px, out.row(y));
+                },
+                [&](const float* at, std::ptrdiff_t stride) {
+                    return plain::has_depth_jump_at(at, stride, sides, jump) ? 255.0F : 77.0F;
+                });
         }
-    });
+    }
+}
+
+TEST(DepthJumps, AreStepsNotPlanesNorBends) {
+    const auto marked = [](const std::vector<float>& q) {
+        // The same in all rows.
+        std::vector<float> rows;
+        for (int y = 0; y < 4; ++y)
+            rows.insert(rows.end(), q.begin(), q.end());
+        const int stride = static_cast<int>(q.size());
+        std::vector<std::uint8_t> out(q.size() - 3, 0);
+        const int width = stride - 3;
+        add_depth_jumps({rows.data() + stride + 1, width, 1, stride},
+                        {out.data(), width, 1, width},
+                        Sides::square,
+                        {0.01F, 0, 2});
+        return out;
+    };
+    using Marks = std::vector<std::uint8_t>;
+    EXPECT_EQ(marked({4, 5, 6, 7, 8, 9, 10}), Marks(4, 0));           // a plane
+    EXPECT_EQ(marked({4, 4, 4, 4, 8, 12, 16}), Marks(4, 0));          // a bend
+    EXPECT_EQ(marked({4, 4, 4, 6, 6, 6, 6}), (Marks{0, 255, 0, 0}));  // a step
+    EXPECT_EQ(marked({4, 4.5, 5, 6.25, 6.5, 6.75, 7}), (Marks{0, 255, 0, 0}));
+    EXPECT_EQ(marked({4, 4.5, 5, 5.75, 6, 6.25, 6.5}), Marks(4, 0));        // less than twice 0.5
+    EXPECT_EQ(marked({4, 4, 4, 4.04F, 4.04F, 4.04F, 4.04F}), Marks(4, 0));  // less than 1 in 100
 }
 
 TEST(Operators, ThreadsChangeNothing) {

@@ -8,9 +8,9 @@
 
 #include "core/image.h"
 #include "edge/decaudin_filter.h"
+#include "edge/depth_jumps.h"
 #include "edge/laplacian.h"
 #include "edge/laplacian_f32x4.h"
-#include "edge/side_differences.h"
 
 /// The filters as their formulas have them, pixel by pixel: what every SIMD target must equal.
 /// `at` is the middle pixel, `stride` the way to the row below.
@@ -47,6 +47,24 @@ inline std::uint8_t side_difference_at(const std::uint8_t* at,
     int most = std::max(std::abs(a - b), std::abs(a - c));
     if (sides == Sides::square) most = std::max({most, std::abs(b - d), std::abs(c - d)});
     return static_cast<std::uint8_t>(std::min(most << gain_bits, 255));
+}
+
+/// Between a sample and the one `step` away.
+inline bool is_depth_jump(const float* at, std::ptrdiff_t step, const DepthJump& jump) {
+    const float a = at[0], b = at[step];
+    const float j = b - a, s0 = a - at[-step], s1 = at[2 * step] - b;
+    const float excess = std::max(j - std::max(s0, s1), std::min(s0, s1) - j);
+    return excess > std::max(a, b) * jump.least_share + jump.slack &&
+           std::abs(j) > std::max(std::abs(s0), std::abs(s1)) * jump.ratio;
+}
+
+inline bool has_depth_jump_at(const float* at,
+                              std::ptrdiff_t stride,
+                              Sides sides,
+                              const DepthJump& jump) {
+    if (is_depth_jump(at, 1, jump) || is_depth_jump(at, stride, jump)) return true;
+    return sides == Sides::square &&
+           (is_depth_jump(at + stride, 1, jump) || is_depth_jump(at + 1, stride, jump));
 }
 
 /// Additions in the order that the kernels keep.

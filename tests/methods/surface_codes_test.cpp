@@ -142,8 +142,7 @@ TEST_P(RandomMesh, DistancesDifferByNoMoreThanWaysCost) {
     for (const double turn_rad : {0.02, 0.5}) {
         SurfaceGraph graph(mesh, {.turn_rad = turn_rad, .length_world = {}});
         if (GetParam() % 3 == 0) steepen_short_slits(mesh, graph);
-        const std::vector<std::int32_t> distances =
-            surface_distance(mesh, graph, GetParam() % 2 ? End::first : End::side, 10);
+        const std::vector<std::int32_t> distances = surface_distance(mesh, graph, 10);
         for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
             EXPECT_GE(distances[face], 0);
             graph.for_each_way(face, [&](std::uint32_t to, std::int32_t cost) {
@@ -231,8 +230,8 @@ TEST(SurfaceCodes, LiftingPartsWhatDistanceAloneDoesNot) {
         const SmoothMesh mesh = *make_smooth_mesh(scene_of(random_mesh(seed)), options().patches);
         const SurfaceGraph graph(mesh, {.turn_rad = options().turn_rad, .length_world = {}});
         SlitCount lifted, alone;
-        (void)surface_distance(mesh, graph, End::first, 10, &lifted);
-        (void)surface_distance(mesh, graph, End::first, 0, &alone);
+        (void)surface_distance(mesh, graph, 10, &lifted);
+        (void)surface_distance(mesh, graph, 0, &alone);
         EXPECT_EQ(lifted.edges, alone.edges);
         edges += lifted.edges;
         parted += lifted.parted;
@@ -261,9 +260,9 @@ TEST(SurfaceCodes, SteepWaysPartCreasesTooShortForOthers) {
                            {.turn_rad = options().turn_rad,
                             .length_world = std::vector<float>(mesh.face_count(), 5.0F)});
         SlitCount before, after;
-        (void)surface_distance(mesh, graph, End::first, 10, &before);
+        (void)surface_distance(mesh, graph, 10, &before);
         steepen_short_slits(mesh, graph);
-        (void)surface_distance(mesh, graph, End::first, 10, &after);
+        (void)surface_distance(mesh, graph, 10, &after);
         creases += count_inner_creases(mesh);
         parted_before += before.parted;
         parted += after.parted;
@@ -339,25 +338,6 @@ TEST(SurfaceCodes, StayWhileInstancesMoveAndForFacesTurnedOver) {
         std::swap(t[1], t[2]);
     made.prepare(scene);
     EXPECT_EQ(made.codes({}), codes);
-}
-
-TEST(SurfaceCodes, ASecondByteStandsAboveTheFirstAndDiffersFromIt) {
-    const scene::Scene scene = scene_of(random_mesh(6));
-    SurfaceCodes one(options());
-    one.prepare(scene);
-    CodeOptions both = options();
-    both.bytes = 2;
-    SurfaceCodes two(both);
-    two.prepare(scene);
-    const auto bytes = one.codes({}), pairs = two.codes({});
-    bool differs = false;
-    for (std::size_t t = 0; t < bytes.size(); ++t) {
-        EXPECT_EQ(pairs[t] & 0xff, bytes[t]);
-        EXPECT_GE(pairs[t] >> 8, 2U);
-        EXPECT_LE(pairs[t] >> 8, 255U);
-        differs = differs || pairs[t] >> 8 != bytes[t];
-    }
-    EXPECT_TRUE(differs);
 }
 
 TEST(SurfaceCodes, AnEmptySceneHasNone) {

@@ -75,6 +75,17 @@ TEST(QuantisedDepth, IsOpenGlsWindowDepthWithNearHigh) {
     EXPECT_EQ(z16.of(2), 65535U);
 }
 
+TEST(QuantisedDepth, AStepStandsForTheMiddleOfWhatRoundsToIt) {
+    for (const DepthFormat format : {DepthFormat::z24, DepthFormat::z16}) {
+        const QuantisedDepth depth(format, kRange.near, kRange.far);
+        for (const double step : {1.0, 2.0, 777.0, depth.steps() - 1}) {
+            const double q = depth.q_of(static_cast<std::uint32_t>(step));
+            EXPECT_EQ(depth.of(q - 0.49 / depth.scale()), step);
+            EXPECT_EQ(depth.of(q + 0.49 / depth.scale()), step);
+        }
+    }
+}
+
 TEST(QuantisedDepth, WhatLiesBeyondFarIsStillNearerThanTheSky) {
     const QuantisedDepth z16(DepthFormat::z16, kRange.near, kRange.far);
     EXPECT_EQ(z16.of(1 / 100.0), 1U);

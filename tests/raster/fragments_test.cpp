@@ -165,7 +165,7 @@ TEST(Fragments, AreOfOnePlaneOfIntegersAtMost) {
         EXPECT_EQ(has_fragments(format), format.planes() <= 1) << format.planes();
         with += has_fragments(format) ? 1 : 0;
     }
-    EXPECT_EQ(with, 6U);
+    EXPECT_EQ(with, 5U);
     PassFormat steps = make_format(Store::u8, 1);
     steps.depth = DepthFormat::z24;
     EXPECT_FALSE(has_fragments(steps));

@@ -72,7 +72,7 @@ std::vector<Evaluation> evaluations() {
             result.back().offset = offset;
         }
     }
-    for (const Store store : {Store::u8, Store::u16, Store::u32}) {
+    for (const Store store : {Store::u8, Store::u32}) {
         for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::q32}) {
             result.push_back(make(store, 0, 0));
             result.back().format.depth = depth;
@@ -311,14 +311,12 @@ TEST(MeshPass, NarrowConstantsAreTheLowBitsOfWideOnes) {
         Evaluation evaluation = evaluations().back();
         const Drawn lanes = stage.draw(evaluation, 1, {});
         const Drawn plain = draw_plainly(stage, evaluation.format);
-        for (const auto& [store, mask] : {std::pair(Store::u8, 0xffU), {Store::u16, 0xffffU}}) {
-            evaluation.format.store = store;
-            const Drawn narrow_lanes = stage.draw(evaluation, 1, {});
-            const Drawn narrow_plain = draw_plainly(stage, evaluation.format);
-            for (std::size_t i = 0; i < lanes.constants.size(); ++i) {
-                ASSERT_EQ(narrow_lanes.codes[0].data()[i], lanes.constants.data()[i] & mask);
-                ASSERT_EQ(narrow_plain.codes[0].data()[i], plain.constants.data()[i] & mask);
-            }
+        evaluation.format.store = Store::u8;
+        const Drawn narrow_lanes = stage.draw(evaluation, 1, {});
+        const Drawn narrow_plain = draw_plainly(stage, evaluation.format);
+        for (std::size_t i = 0; i < lanes.constants.size(); ++i) {
+            ASSERT_EQ(narrow_lanes.codes[0].data()[i], lanes.constants.data()[i] & 0xffU);
+            ASSERT_EQ(narrow_plain.codes[0].data()[i], plain.constants.data()[i] & 0xffU);
         }
     }
 }

@@ -30,7 +30,7 @@ std::vector<Case> cases() {
             return result.back().format;
         };
         add(Store::none, 0, 0);
-        for (const Store store : {Store::u8, Store::u16, Store::u32})
+        for (const Store store : {Store::u8, Store::u32})
             add(store, 0, 0).constant = true;
         add(Store::u8, 1, 300);  // beyond the store here and there
         add(Store::u8, 1, 200);
@@ -95,8 +95,6 @@ std::vector<std::uint32_t> contents(TileBuffer& buffer, const PassFormat& format
         for (int k = 0; k < format.planes(); ++k) {
             if (format.interpolants == 0 && format.store == Store::u8) {
                 add(buffer.plane_row<std::uint8_t>(k, y));
-            } else if (format.interpolants == 0 && format.store == Store::u16) {
-                add(buffer.plane_row<std::uint16_t>(k, y));
             } else {
                 add(buffer.plane_row<std::uint32_t>(k, y));
             }

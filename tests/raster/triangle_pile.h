@@ -96,7 +96,6 @@ inline std::vector<PassFormat> lane_test_formats() {
             make_format(Store::u8, 0),
             make_format(Store::u8, 1),
             make_format(Store::u8, 2),
-            make_format(Store::u16, 0),
             make_format(Store::u16, 1),
             make_format(Store::f32, 4),
             make_format(Store::u32, 0)};

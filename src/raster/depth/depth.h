@@ -48,6 +48,9 @@ class QuantisedDepth {
         return z >= steps_ ? static_cast<std::uint32_t>(steps_) : static_cast<std::uint32_t>(z);
     }
 
+    /// 1/w of a step: what it stands for, to half of one. Not of q32.
+    [[nodiscard]] double q_of(std::uint32_t step) const { return (step + 0.5 - offset_) / scale_; }
+
     /// The parts of that sum, for who does many at once.
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] double offset() const { return offset_; }

@@ -44,8 +44,7 @@ void fill_fragments(const PassFormat& format,
         });
     }
     if (!format.constant) return fill(block, count, depth, plane(std::uint32_t{}), narrow);
-    if (format.store == Store::u8) return fill(block, count, depth, plane(std::uint8_t{}), narrow);
-    fill(block, count, depth, plane(std::uint16_t{}), narrow);
+    fill(block, count, depth, plane(std::uint8_t{}), narrow);
 }
 
 }  // namespace ink::raster

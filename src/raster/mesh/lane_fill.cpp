@@ -243,14 +243,8 @@ void Fill(const LaneTriangles& triangles, TileBuffer& to) {
 
 template <class Depth>
 void FillConstants(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
-    switch (format.store) {
-        case Store::u8:
-            return Fill<Depth, ConstantLanes<std::uint8_t>>(triangles, to);
-        case Store::u16:
-            return Fill<Depth, ConstantLanes<std::uint16_t>>(triangles, to);
-        default:
-            return Fill<Depth, ConstantLanes<std::uint32_t>>(triangles, to);
-    }
+    format.store == Store::u8 ? Fill<Depth, ConstantLanes<std::uint8_t>>(triangles, to)
+                              : Fill<Depth, ConstantLanes<std::uint32_t>>(triangles, to);
 }
 
 template <class Depth>

@@ -5,8 +5,8 @@ namespace ink::raster {
 bool lanes_can_draw(const PassFormat& format) {
     if (format.interpolation != Interpolation::affine) return false;
     if (format.constant) {
-        const bool is_integer = format.store != Store::none && format.store != Store::f32;
-        return is_integer && format.interpolants == 0;
+        const bool is_whole = format.store == Store::u8 || format.store == Store::u32;
+        return is_whole && format.interpolants == 0;
     }
     const int k = format.interpolants;
     return (format.store == Store::none && k == 0) ||

@@ -200,8 +200,6 @@ FillTile fill_function(const PassFormat& format) {
     const Store store = format.store;
     if (k == 0 && store == Store::none) return with_depth<NoStore>(format.depth);
     if (k == 0 && store == Store::u8) return with_depth<ConstantStore<std::uint8_t>>(format.depth);
-    if (k == 0 && store == Store::u16)
-        return with_depth<ConstantStore<std::uint16_t>>(format.depth);
     if (k == 0 && store == Store::u32)
         return with_depth<ConstantStore<std::uint32_t>>(format.depth);
     if (k == 1 && store == Store::u8) return code_fill<std::uint8_t, 1>(format);

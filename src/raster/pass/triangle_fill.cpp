@@ -222,14 +222,9 @@ bool FillCodes(const FillJob& job, const BinEntry& entry, const Area& area, Tile
 }
 
 bool FillConstant(const FillJob& job, const BinEntry& entry, const Area& area, TileBuffer& to) {
-    switch (job.format.store) {
-        case Store::u8:
-            return FillWith<ConstantValues<std::uint8_t>>(job, entry, area, to);
-        case Store::u16:
-            return FillWith<ConstantValues<std::uint16_t>>(job, entry, area, to);
-        default:
-            return FillWith<ConstantValues<std::uint32_t>>(job, entry, area, to);
-    }
+    return job.format.store == Store::u8
+               ? FillWith<ConstantValues<std::uint8_t>>(job, entry, area, to)
+               : FillWith<ConstantValues<std::uint32_t>>(job, entry, area, to);
 }
 
 bool FillTriangle(const FillJob& job, const BinEntry& entry, TileBuffer& to) {
