@@ -18,22 +18,6 @@ namespace {
 /// Steps of 1/w up to this, in px of depth, are flat: codes alone are no line there.
 constexpr double kFlat_px = 0.1;
 
-/// Codes of a scene at rest, whose steps cover lengths by its largest object.
-std::vector<std::uint32_t> object_codes(const scene::PreparedScene& scene,
-                                        const SurfaceCodeParams& params) {
-    CodeOptions options = surface_setup(params, 1);
-    options.patches = {.crease_rad = glm::radians(params.crease_deg),
-                       .weld_epsilon = params.weld_epsilon};
-    SurfaceCodes codes(options);
-    codes.prepare(scene);
-    const double px_world = codes.largest_object() / 720;
-    std::vector<float> lengths;
-    if (px_world > 0)
-        lengths.assign(scene::triangle_count(scene),
-                       static_cast<float>(px_world * params.length_px));
-    return codes.codes(lengths);
-}
-
 /// Looks up the sides of a tile that are in doubt.
 class SideLookup {
   public:
@@ -183,7 +167,11 @@ std::vector<std::uint32_t> LookupPass::constants_of(const scene::PreparedScene& 
 std::vector<std::uint32_t> LookupPass::words_of(const scene::PreparedScene& scene) {
     const std::size_t count = mesh_.faces.size();
     LookupWord::require_room(count);
-    if (codes_.empty()) codes_ = object_codes(scene, coded_->codes);
+    if (codes_.empty()) {
+        SurfaceCodes codes(code_options(coded_->codes, surface_setup(coded_->codes)));
+        codes.prepare(scene);
+        codes_ = codes.object_codes(scene, coded_->codes.length_px);
+    }
     std::vector<std::uint32_t> words(count);
     for (std::size_t t = 0; t < codes_.size(); ++t) {
         const std::uint32_t face = mesh_.face_of_triangle[t];

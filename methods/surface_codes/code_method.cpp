@@ -1,7 +1,5 @@
 #include "methods/surface_codes/code_method.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <utility>
@@ -10,19 +8,12 @@
 #include "buffers/packed_sink.h"
 
 namespace ink::methods {
-namespace {
-
-/// Rows of pixels that the largest object is taken to fill where no view says how large it is.
-constexpr double kNominalHeight_px = 720;
-
 CodeOptions code_options(const CodeParams& params, const CodeSetup& setup) {
     CodeOptions options = setup;
     options.patches = {.crease_rad = glm::radians(params.crease_deg),
                        .weld_epsilon = params.weld_epsilon};
     return options;
 }
-
-}  // namespace
 
 CodePass::CodePass(const CodeParams& params, const CodeSetup& setup)
     : ConstantPass(buffers::constant_inputs(params),
@@ -36,27 +27,8 @@ CodePass::CodePass(const CodeParams& params, const CodeSetup& setup)
 std::vector<std::uint32_t> CodePass::constants_of(const scene::PreparedScene& scene) {
     surface_codes_.prepare(scene);
     lengths_world_.clear();
-    if (setup_.footprint == Footprint::object) {
-        const double px_world = surface_codes_.largest_object() / kNominalHeight_px;
-        if (px_world > 0 && setup_.length_px > 0) {
-            lengths_world_.assign(scene::triangle_count(scene),
-                                  static_cast<float>(px_world * setup_.length_px));
-        }
-    }
-    return *scene.get(name_of_codes(), [&] { return surface_codes_.codes(lengths_world_); });
-}
-
-/// What codes of a scene depend on.
-std::string CodePass::name_of_codes() const {
-    return fmt::format("surface codes {} {} {} {} {} {} {} {}",
-                       params_.crease_deg,
-                       params_.weld_epsilon,
-                       setup_.turn_rad,
-                       setup_.rounds,
-                       setup_.range.lowest,
-                       setup_.range.highest,
-                       setup_.range.least_difference,
-                       lengths_world_.empty() ? 0 : lengths_world_.front());
+    return surface_codes_.object_codes(
+        scene, setup_.footprint == Footprint::object ? setup_.length_px : 0);
 }
 
 /// Codes whose steps cover the footprint of every triangle where it is now seen.

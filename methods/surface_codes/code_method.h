@@ -42,6 +42,9 @@ struct CodeSetup : CodeOptions {
     int halo_px = 1;       ///< that whoever adds lines reads
 };
 
+/// How the codes of a method are made.
+[[nodiscard]] CodeOptions code_options(const CodeParams& params, const CodeSetup& setup);
+
 /// A scene drawn as surface codes, u8 in plane 0, 0 where nothing is.
 class CodePass : public buffers::ConstantPass {
   public:
@@ -53,8 +56,6 @@ class CodePass : public buffers::ConstantPass {
     void follow_view(const method::Frame& frame) override;
 
   private:
-    [[nodiscard]] std::string name_of_codes() const;
-
     CodeParams params_;
     CodeSetup setup_;
     SurfaceCodes surface_codes_;

@@ -16,6 +16,9 @@
 namespace ink::methods {
 namespace {
 
+/// Rows of pixels that the largest object is taken to fill where no view says how large it is.
+constexpr double kNominalHeight_px = 720;
+
 /// Up and down between 0 and the highest of `count` codes, over and over.
 class Fold {
   public:
@@ -167,6 +170,23 @@ std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_wor
         return face == SmoothMesh::kNone ? lowest : of_faces[face];
     });
     return codes;
+}
+
+std::vector<std::uint32_t> SurfaceCodes::object_codes(const scene::PreparedScene& scene,
+                                                      double length_px) {
+    const auto length_world = static_cast<float>(largest_object() / kNominalHeight_px * length_px);
+    std::vector<float> lengths;
+    if (length_world > 0) lengths.assign(scene::triangle_count(scene), length_world);
+    const std::string name = fmt::format("surface codes {} {} {} {} {} {} {} {}",
+                                         options_.patches.crease_rad,
+                                         options_.patches.weld_epsilon,
+                                         options_.turn_rad,
+                                         options_.rounds,
+                                         options_.range.lowest,
+                                         options_.range.highest,
+                                         options_.range.least_difference,
+                                         length_world);
+    return *scene.get(name, [&] { return codes(lengths); });
 }
 
 double SurfaceCodes::largest_object() const {

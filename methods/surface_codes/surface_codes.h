@@ -42,6 +42,11 @@ class SurfaceCodes {
     /// there, or nothing: then steps are as short as the surface makes them.
     [[nodiscard]] std::vector<std::uint32_t> codes(std::span<const float> length_world);
 
+    /// The codes of the scene that was prepared, where every step covers so many pixels if the
+    /// largest object fills the height of 720; 0: no length. Made once and kept with the scene.
+    [[nodiscard]] std::vector<std::uint32_t> object_codes(const scene::PreparedScene& scene,
+                                                          double length_px);
+
     /// The diameter of the largest object, world units: of the box round it.
     [[nodiscard]] double largest_object() const;
     [[nodiscard]] const SmoothMesh& mesh() const { return *mesh_; }

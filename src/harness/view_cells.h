@@ -44,7 +44,7 @@ struct ViewDrawings {
     std::vector<raster::SkipSet> skips;  ///< a method's turns
     int lanes = 1;                       ///< how many such parts are drawn at a time
     /// The methods from the `first` on to `end`, ready.
-    std::function<std::shared_ptr<PreparedMethods>(std::size_t first, std::size_t end)> ready;
+    std::function<std::shared_ptr<PreparedMethods>(std::size_t first, std::size_t end)> ready = {};
     /// Sees the n-th of what is drawn while its method is there.
     std::function<void(std::size_t n, const Turn& turn, const Evaluation& drawn)> see = {};
 };

@@ -1,4 +1,5 @@
 #include "harness/cell.h"
+#include "harness/view_lists.h"
 
 #include <gmock/gmock.h>
 

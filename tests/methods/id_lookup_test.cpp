@@ -212,7 +212,6 @@ std::ptrdiff_t difference_px(const edge::EdgeImage& one, const edge::EdgeImage& 
 TEST(SurfaceLookup, DrawsWhatIdLookupDraws) {
     for (const scene::Scene& scene : {boxes(),
                                       cube_on_floor(),
-                                      walls_at_an_edge(),
                                       scene_of({catalogue::make_icosphere(1, 4)}),
                                       scene_of({catalogue::make_torus({1, 0.4}, {70, 30})})}) {
         for (const glm::dvec3 eye : {glm::dvec3{5, 6, 12}, {-3.2, 1.9, 4}, {3, 0.5, -4}}) {

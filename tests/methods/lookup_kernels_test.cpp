@@ -116,8 +116,9 @@ struct AnyTile {
         std::mt19937 random(seed);
         for (std::size_t i = 0; i < words.size(); ++i) {
             // Runs of one face, so that some samples are alike.
-            const std::uint32_t dice = random();
-            words[i] = i > 0 && dice % 3 == 0 ? words[i - 1] : random() % faces;
+            const auto dice = static_cast<std::uint32_t>(random());
+            words[i] = i > 0 && dice % 3 == 0 ? words[i - 1]
+                                              : static_cast<std::uint32_t>(random()) % faces;
             if (has_codes && words[i] != kNoNeighbour && words[i] < faces) {
                 const std::uint32_t face = words[i];  // words of a face are alike
                 words[i] |= (face * 3 % 11) << LookupWord::kCodeShift;
@@ -142,7 +143,7 @@ LookupMesh any_mesh(std::uint32_t faces, std::vector<std::int8_t>& facing) {
     mesh.faces.resize(faces);
     for (LookupFace& face : mesh.faces) {
         for (std::size_t i = 0; i < 3; ++i) {
-            face.twins[i] = Twin::of(random() % faces, random() % 3);
+            face.twins[i] = Twin::of(static_cast<std::uint32_t>(random()) % faces, random() % 3);
             if (random() % 4 == 0) face.twins[i].word |= Twin::kTurned;
             if (random() % 4 == 0) face.twins[i].word |= Twin::kClosed;
         }
