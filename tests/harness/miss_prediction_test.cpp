@@ -1,4 +1,5 @@
 #include "harness/miss_prediction.h"
+#include "harness/view_lists.h"
 
 #include <gtest/gtest.h>
 
