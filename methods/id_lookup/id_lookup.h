@@ -1,6 +1,6 @@
 #pragma once
 
-#include "methods/id_lookup/lookup_method.h"
+#include "methods/mesh_lookup/lookup_method.h"
 
 namespace ink::methods {
 

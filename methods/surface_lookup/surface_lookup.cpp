@@ -2,7 +2,7 @@
 // decide nearly all sides, as surface8_depth would; only what is in doubt is looked up in the mesh,
 // as id_lookup does.
 
-#include "methods/id_lookup/lookup_method.h"
+#include "methods/mesh_lookup/lookup_method.h"
 
 namespace ink::methods {
 namespace {

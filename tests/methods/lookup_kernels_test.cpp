@@ -7,8 +7,8 @@
 #include <set>
 
 #include "catalogue/shapes.h"
-#include "methods/id_lookup/screen_kernel.h"
-#include "methods/id_lookup/side_lists.h"
+#include "methods/mesh_lookup/screen_kernel.h"
+#include "methods/mesh_lookup/side_lists.h"
 #include "raster/pass/screen_vertex.h"
 #include "scene/predicates.h"
 #include "tests/edge/guarded.h"

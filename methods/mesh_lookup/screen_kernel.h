@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "methods/id_lookup/lookup_mesh.h"
+#include "methods/mesh_lookup/lookup_mesh.h"
 #include "raster/pass/view_transform.h"
 
 namespace ink::methods {

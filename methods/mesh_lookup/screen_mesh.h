@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "methods/id_lookup/lookup_mesh.h"
-#include "methods/id_lookup/screen_kernel.h"
+#include "methods/mesh_lookup/lookup_mesh.h"
+#include "methods/mesh_lookup/screen_kernel.h"
 #include "raster/pass/view_transform.h"
 #include "scene/camera.h"
 

@@ -1,7 +1,7 @@
 // What a walk in whole numbers tells of a side: nothing of depths and classes is asked, and what it
 // cannot tell it leaves to the walk that can (screen_mesh.cpp).
 
-#include "methods/id_lookup/screen_mesh.h"
+#include "methods/mesh_lookup/screen_mesh.h"
 
 namespace ink::methods {
 namespace {

@@ -1,12 +1,12 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "methods/id_lookup/screen_kernel.cpp"
+#define HWY_TARGET_INCLUDE "methods/mesh_lookup/screen_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 
 #include "edge/vector_loops.inl"
-#include "methods/id_lookup/screen_kernel.h"
+#include "methods/mesh_lookup/screen_kernel.h"
 #include "raster/pass/screen_vertex.h"
 #include "scene/predicates.h"
 

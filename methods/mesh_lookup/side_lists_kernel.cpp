@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "methods/id_lookup/side_lists_kernel.cpp"
+#define HWY_TARGET_INCLUDE "methods/mesh_lookup/side_lists_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "edge/vector_loops.inl"
-#include "methods/id_lookup/side_lists.h"
+#include "methods/mesh_lookup/side_lists.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ink::methods::HWY_NAMESPACE {

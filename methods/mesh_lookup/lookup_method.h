@@ -5,9 +5,9 @@
 
 #include "buffers/constant_pass.h"
 #include "buffers/surface_method.h"
-#include "methods/id_lookup/lookup_mesh.h"
-#include "methods/id_lookup/screen_mesh.h"
-#include "methods/id_lookup/side_lists.h"
+#include "methods/mesh_lookup/lookup_mesh.h"
+#include "methods/mesh_lookup/screen_mesh.h"
+#include "methods/mesh_lookup/side_lists.h"
 #include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {

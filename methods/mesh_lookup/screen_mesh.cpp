@@ -1,4 +1,4 @@
-#include "methods/id_lookup/screen_mesh.h"
+#include "methods/mesh_lookup/screen_mesh.h"
 
 #include <algorithm>
 #include <cmath>

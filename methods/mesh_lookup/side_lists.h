@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "methods/id_lookup/lookup_mesh.h"
+#include "methods/mesh_lookup/lookup_mesh.h"
 #include "raster/pass/pass.h"
 
 namespace ink::methods {

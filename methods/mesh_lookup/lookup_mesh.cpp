@@ -1,4 +1,4 @@
-#include "methods/id_lookup/lookup_mesh.h"
+#include "methods/mesh_lookup/lookup_mesh.h"
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>

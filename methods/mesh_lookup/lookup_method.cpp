@@ -1,4 +1,4 @@
-#include "methods/id_lookup/lookup_method.h"
+#include "methods/mesh_lookup/lookup_method.h"
 
 #include <fmt/format.h>
 
