@@ -35,7 +35,7 @@ struct MethodExplanation {
     std::string method;
     /// Depth, nx, ny, nz: of no use where the code has no weight for it, or the scene nothing to
     /// tell by it. Empty where no linear code is declared. Leaving out a weighted one changes the
-    /// image: that is `auto`'s business.
+    /// image.
     std::vector<Optimisation> channels;
     std::vector<Optimisation> skips;  ///< these never change a bit
     std::vector<method::PlanLine> plan;

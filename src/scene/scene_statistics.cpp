@@ -199,6 +199,35 @@ double extent_ratio(const Topology& topology, std::size_t objects) {
     return most > 0 ? most / least : 1;
 }
 
+/// Share of the length of lines (edges that are neither smooth nor flat) that components have which
+/// are thinner than `least`. Area over length of lines: a bar of four sides is as wide as that.
+double thin_share(const Topology& topology,
+                  const Components& components,
+                  double crease_rad,
+                  double least) {
+    struct Size {
+        double area = 0, lines = 0;
+    };
+    std::vector<Size> sizes(components.components.size());
+    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
+        const auto& [a, b, c] = topology.faces[f].vertices;
+        const glm::dvec3 p = topology.p_world[a];
+        sizes[components.component_of[f]].area +=
+            glm::length(glm::cross(topology.p_world[b] - p, topology.p_world[c] - p)) / 2;
+    }
+    for (const Edge& edge : topology.edges) {
+        const auto faces = topology.faces_of(edge);
+        if (edge.face_count != 2 || deviation_rad(topology, edge, faces[0], faces[1]) >= crease_rad)
+            sizes[components.component_of[faces[0]]].lines += length_of(topology, edge);
+    }
+    double thin = 0, all = 0;
+    for (const Size& size : sizes) {
+        all += size.lines;
+        if (size.area < least * size.lines) thin += size.lines;
+    }
+    return all > 0 ? thin / all : 0;
+}
+
 void count_components(const Topology& topology, SceneStatistics& statistics) {
     const Components found = find_components(topology);
     statistics.components = found.components.size();
@@ -207,6 +236,8 @@ void count_components(const Topology& topology, SceneStatistics& statistics) {
         statistics.convex_components += component.is_convex;
     }
     statistics.overlapping_components = count_overlapping_components(found.components, kMostPairs);
+    statistics.thin_share =
+        thin_share(topology, found, statistics.crease_rad, kThinShare * statistics.bounds.radius);
     statistics.near_sheets = find_near_sheets(topology, found, statistics.bounds.radius);
 }
 

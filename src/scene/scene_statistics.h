@@ -54,6 +54,8 @@ struct SceneStatistics {
     std::size_t watertight_components = 0;  ///< closed, consistently oriented, turned outwards
     std::size_t convex_components = 0;  ///< of these, such as cannot hide a part of their own front
     std::size_t loose_triangles = 0;    ///< no neighbour at any edge
+    double thin_share = 0;  ///< of the length of all lines: those of components that are thinner,
+                            ///< as area over length of lines, than kThinShare of the radius
     std::size_t cracked_corners = 0;  ///< corners of boundaries with another one within kCrackShare
     std::size_t overlapping_components = 0;  ///< pairs of components that might pierce each other
     double extent_ratio = 1;                 ///< largest to smallest object; 1 for a single one
@@ -61,6 +63,12 @@ struct SceneStatistics {
 
     [[nodiscard]] bool has_creases() const { return creases.count + nonmanifold.count > 0; }
     [[nodiscard]] bool is_curved() const { return smooth.count > 0; }
+    /// Share of the edges that are smooth, 0..1.
+    [[nodiscard]] double smooth_share() const {
+        const std::size_t all =
+            creases.count + smooth.count + flat.count + boundary.count + nonmanifold.count;
+        return all == 0 ? 0 : static_cast<double>(smooth.count) / static_cast<double>(all);
+    }
     [[nodiscard]] bool is_watertight() const {
         return components > 0 && watertight_components == components;
     }
@@ -74,6 +82,9 @@ struct SceneStatistics {
                    : static_cast<double>(loose_triangles) / static_cast<double>(triangles);
     }
 };
+
+/// A bar as thin has half a pixel where its scene fills the height of 720.
+inline constexpr double kThinShare = 1.0 / 720;
 
 /// How near two corners of boundaries must lie to be the two sides of a crack: a share of the
 /// diagonal of the box round all such corners.

@@ -41,6 +41,16 @@ TEST(SceneStatistics, OfACubeHasTwelveCreasesAndSixFlatDiagonals) {
     EXPECT_EQ(statistics.extent_ratio, 1);
 }
 
+TEST(SceneStatistics, ThinIsWhatHasLittleAreaForItsLines) {
+    Scene scene = scene_of({unit_cube(), unit_cube()});
+    EXPECT_EQ(statistics_of(scene).thin_share, 0);
+    // As long as the cube, and a thousandth as wide: half of all lines but eight short ones.
+    scene.instances[1].world_from_object =
+        glm::scale(glm::translate(glm::dmat4(1), {3, 0, 0}), {1e-3, 1, 1e-3});
+    EXPECT_NEAR(statistics_of(scene).thin_share, 8.0 / (8 + 24), 1e-3);
+    EXPECT_EQ(statistics_of(scene).smooth_share(), 0);
+}
+
 TEST(SceneStatistics, OfACubeInsideOutIsClosedButNotWatertight) {
     Mesh mesh = unit_cube();
     for (Triangle& t : mesh.triangles)

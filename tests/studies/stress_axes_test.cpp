@@ -105,13 +105,13 @@ std::string parameter(const method::MethodConfig& config, const char* name) {
 
 TEST(UnderStress, SetsParametersOfThoseThatHaveThem) {
     Case stress;
-    stress.settings = {"depth_format=z16", "mote4.sky=7", "depth_encoding=linear"};
+    stress.settings = {"depth_format=z16", "mote4.sky=7", "price=2"};
     EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "depth_format"), "z16");
     EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "sky"), "7");
     EXPECT_EQ(parameter(under_case(config_of("mote2"), stress), "sky"), "0");
     EXPECT_EQ(parameter(under_case(config_of("edge_list"), stress), "depth_format"), "z16");
     // It knows the parameter, but not this value.
-    EXPECT_EQ(parameter(under_case(config_of("auto"), stress), "depth_encoding"), "planned");
+    EXPECT_EQ(parameter(under_case(config_of("auto"), stress), "price"), "3");
 }
 
 TEST(UnderStress, GainTakesRangesAndThresholdAlong) {
