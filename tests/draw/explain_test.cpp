@@ -84,7 +84,8 @@ TEST(Explain, OnlyAutoHasAPlan) {
 TEST(Explain, TextHasAHeadingForEachPart) {
     const harness::SceneViews scene_views =
         harness::make_scene_views(harness::load_scene("torus"), {});
-    const std::string text = as_text(explain(scene_views, methods::make_configs("auto,mote4", {}), 40));
+    const std::string text =
+        as_text(explain(scene_views, methods::make_configs("auto,mote4", {}), 40));
     for (const char* part : {"torus: its scene statistics",
                              "torus, seen from ",
                              "auto: what it may leave out",
