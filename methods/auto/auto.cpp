@@ -61,9 +61,6 @@ class Auto : public method::Method {
     [[nodiscard]] int bytes_per_px() const override { return chosen_->bytes_per_px(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return chosen_->skip_counts(); }
     [[nodiscard]] method::Cost cost() const override { return chosen_->cost(); }
-    [[nodiscard]] std::optional<method::LinearCode> code() const override {
-        return chosen_->code();
-    }
     [[nodiscard]] std::vector<method::PlanLine> plan() const override { return plan_.lines; }
 
   private:

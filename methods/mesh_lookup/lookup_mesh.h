@@ -47,6 +47,11 @@ struct Twin {
     [[nodiscard]] std::size_t edge() const { return word & 3; }
     [[nodiscard]] bool is_turned() const { return (word & kTurned) != 0; }
     [[nodiscard]] bool is_closed() const { return (word & kClosed) != 0; }
+    /// Whether both faces are seen, one on each side of the edge, by which side of each is: 1 and
+    /// -1, 0 edge-on. They face the same way.
+    [[nodiscard]] bool is_open(int mine, int theirs) const {
+        return mine != 0 && theirs == (is_turned() ? -mine : mine);
+    }
 };
 
 /// A triangle of a scene and what lies across its edges: edge i joins corners i and (i + 1) % 3.

@@ -58,6 +58,10 @@ class SideLookup {
     struct Place {
         int x, y;
         bool is_down;
+
+        /// Beside a side between corners (x, y) is one pixel, and this the other.
+        [[nodiscard]] int other_x() const { return is_down ? x - 1 : x; }
+        [[nodiscard]] int other_y() const { return is_down ? y : y - 1; }
     };
     [[nodiscard]] static Place place_of(std::uint32_t place) {
         return {static_cast<int>(place >> 1 & 0x7f) - 1,
@@ -79,8 +83,7 @@ class SideLookup {
     /// A side of two pixels; nothing is left to be said of it where both are lines.
     void mark_corners(std::uint32_t place, LineBits& lines) const {
         const Place at = place_of(place);
-        const int x = at.is_down ? at.x - 1 : at.x, y = at.is_down ? at.y : at.y - 1;
-        if (lines.is_done(at.x, at.y) && lines.is_done(x, y)) return;
+        if (lines.is_done(at.x, at.y) && lines.is_done(at.other_x(), at.other_y())) return;
         const SampleSide side = side_at(at);
         const auto glimpse = screen_.glimpse(side);
         if (glimpse == ScreenMesh::Glimpse::none) return;
@@ -88,7 +91,7 @@ class SideLookup {
             screen_.line_between(side).kind == LineKind::none)
             return;
         lines.set(at.x, at.y);
-        lines.set(x, y);
+        lines.set(at.other_x(), at.other_y());
     }
 
     /// The same of any samples, with its class.
@@ -98,7 +101,7 @@ class SideLookup {
         if (line.kind == LineKind::none) return;
         if (words_.has_corners) {
             mark(at.x, at.y, line.kind, lines);
-            mark(at.is_down ? at.x - 1 : at.x, at.is_down ? at.y : at.y - 1, line.kind, lines);
+            mark(at.other_x(), at.other_y(), line.kind, lines);
         } else {
             const int step = line.s < 0.5 ? 0 : 1;
             mark(

@@ -355,16 +355,7 @@ int ScreenMesh::side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) 
         eye_world_, mesh_->p_world[a], mesh_->p_world[b], mesh_->p_world[corner]);
 }
 
-bool ScreenMesh::are_neighbours(std::uint32_t first, std::uint32_t second) const {
-    const auto& twins = mesh_->faces[first].twins;
-    return std::any_of(twins.begin(), twins.end(), [&](Twin twin) {
-        return !twin.is_closed() && twin.face() == second && is_open(first, twin);
-    });
-}
-
 FoundLine ScreenMesh::line_between(const SampleSide& side) const {
-    const bool are_faces = side.first != kNoNeighbour && side.second != kNoNeighbour;
-    if (are_faces && are_neighbours(side.first, side.second)) return {};
     using End = Walk::End;
     const Walk there(*this, side, false);
     if (there.end() == End::arrived) return {};

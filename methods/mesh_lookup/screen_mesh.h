@@ -46,9 +46,9 @@ class ScreenMesh {
              const WalkOptions& options,
              int threads);
 
-    /// Walks over the mesh between two samples whose faces differ, from the one and, if that does
-    /// not come to the other, from the other back. There is no line if either walk arrives; else
-    /// the nearer of the lines that ended them; else the two surfaces cross in between.
+    /// Walks over the mesh between two samples that list_sides() lists, from the one and, if that
+    /// does not come to the other, from the other back. There is no line if either walk arrives;
+    /// else the nearer of the lines that ended them; else the two surfaces cross in between.
     [[nodiscard]] FoundLine line_between(const SampleSide& side) const;
 
     /// What can be told of a side without depths and classes.
@@ -80,14 +80,9 @@ class ScreenMesh {
     [[nodiscard]] glm::dvec3 p_clip(std::uint32_t vertex) const {
         return transform_.to_clip(mesh_->p_world[vertex]);
     }
-    /// Whether a face and that beyond one of its edges are both seen, one on each side of it: they
-    /// face the same way.
     [[nodiscard]] bool is_open(std::uint32_t face, Twin twin) const {
-        const int mine = facing_[face], theirs = facing_[twin.face()];
-        return mine != 0 && theirs == (twin.is_turned() ? -mine : mine);
+        return twin.is_open(facing_[face], facing_[twin.face()]);
     }
-    /// Whether two faces share an edge that is no line from here: then nothing need be walked.
-    [[nodiscard]] bool are_neighbours(std::uint32_t first, std::uint32_t second) const;
     [[nodiscard]] bool covers(const SampleSide& side,
                               bool is_second,
                               std::uint32_t seen,

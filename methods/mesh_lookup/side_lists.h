@@ -74,7 +74,7 @@ struct WordTile {
     bool has_corners = true;                 ///< samples are pixel corners, not centres
     std::uint32_t face_bits = kNoNeighbour;  ///< of a word
     std::span<const LookupFace> faces;
-    std::span<const std::int8_t> facing;  ///< as ScreenMesh has it, and four bytes more
+    std::span<const std::int8_t> facing;  ///< as ScreenMesh has it
 };
 
 /// Lists the sides of a tile whose samples differ in their faces, but for those over an edge that

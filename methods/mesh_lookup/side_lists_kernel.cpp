@@ -99,7 +99,7 @@ HWY_INLINE void keep_others(const WordTile& words, const RowSides& row, SideList
         bool is_open = false;
         for (const Twin twin : words.faces[first].twins) {
             const bool is_beyond = ((twin.word ^ second << 2) & kSame) == 0;
-            is_open |= is_beyond && mine != 0 && theirs == (twin.is_turned() ? -mine : mine);
+            is_open |= is_beyond && twin.is_open(mine, theirs);
         }
         list.places[list.count] = row.places[i];
         list.count += is_open ? 0 : 1;
