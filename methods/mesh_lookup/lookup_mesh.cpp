@@ -16,6 +16,7 @@
 #include "scene/box.h"
 #include "scene/near_points.h"
 #include "scene/precision/rounding.h"
+#include "scene/precision/weld_tolerance.h"
 #include "scene/topology.h"
 
 namespace ink::methods {
@@ -67,20 +68,16 @@ class Builder {
         }
     }
 
-    /// Per object the share of its diagonal that counts as no distance, and the rounding.
+    /// Per object the share of its diagonal that counts as no distance, and the weld tolerance.
     void measure_objects() {
         std::vector<scene::Box> boxes(scene_.instances.size());
-        mesh_.rounding_world.assign(scene_.instances.size(), 0);
         for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-            scene::Box& box = boxes[mesh_.objects[f]];
-            double& rounding = mesh_.rounding_world[mesh_.objects[f]];
-            for (const std::uint32_t v : mesh_.faces[f].vertices) {
-                rounding = std::max(rounding, topology_.rounding_world[v]);
-                box.add(mesh_.p_world[v]);
-            }
+            for (const std::uint32_t v : mesh_.faces[f].vertices)
+                boxes[mesh_.objects[f]].add(mesh_.p_world[v]);
         }
         for (const scene::Box& box : boxes)
             mesh_.crack_world.push_back(options_.weld_epsilon * box.diagonal());
+        mesh_.tolerance_world = scene::weld_tolerances(topology_);
     }
 
     [[nodiscard]] Border border(std::uint32_t face, std::uint32_t edge) const {

@@ -97,8 +97,8 @@ struct LookupMesh {
     float reach_world = 0;
     /// Per global triangle its face, or that which it repeats; kNoNeighbour if it has no area.
     std::vector<std::uint32_t> face_of_triangle;
-    std::vector<double> crack_world;     ///< per object: boundaries this near meet
-    std::vector<double> rounding_world;  ///< per object: how far off its vertices may be as floats
+    std::vector<double> crack_world;      ///< per object: boundaries this near meet
+    std::vector<double> tolerance_world;  ///< per object: scene::weld_tolerances
 };
 
 /// Vertices at one place are one, over objects too. Boundaries that do not share their vertices

@@ -19,7 +19,6 @@ constexpr double kCrack_px = 1.0 / 64;    ///< boundaries this near are the same
 constexpr double kCrackDepth = 1e-4;      ///< relative: two boundaries this far apart meet
 constexpr double kSameDepth = 1e-6;       ///< relative: what the depth test cannot tell
 constexpr double kFarBehind = 1e-2;       ///< relative: more than rounding moves a surface by
-constexpr double kRoundings = 4;          ///< of vertices: what may lie between planes that are one
 constexpr std::size_t kBatch = 4096;
 
 /// Calls use(begin, end) for parts of 0..count, from several threads.
@@ -65,6 +64,7 @@ class ScreenMesh::Walk {
         arrived,  ///< at the other face
         line,     ///< at an edge that is one
         beyond,   ///< past the other sample, on another surface
+        hidden,   ///< at an edge of many, of whose faces another hides the walk's
         cut,      ///< at the near plane
         lost,     ///< nowhere: too many steps, or the face does not hold its sample
     };
@@ -189,6 +189,7 @@ class ScreenMesh::Walk {
                 return;
             }
             const Landing next = across(exit, out);
+            if (end_ == End::hidden) return;
             if (kind_ != LineKind::none) {
                 end_ = End::line;
                 s_ = out.s;
@@ -292,6 +293,7 @@ class ScreenMesh::Walk {
         std::uint32_t best = kNoNeighbour;
         std::size_t best_third = 0;
         double best_slope = 0;
+        const double own_slope = slope(out, screen_.mesh_->faces[at_].vertices[(exit + 2) % 3]);
         for (auto at = std::lower_bound(many.begin(), many.end(), ManyFaces{low, high, 0});
              at != many.end() && at->a == low && at->b == high;
              ++at) {
@@ -301,8 +303,13 @@ class ScreenMesh::Walk {
                 std::find_if(
                     v.begin(), v.end(), [&](std::uint32_t i) { return i != low && i != high; }) -
                 v.begin());
-            if (mine * screen_.side_of(out.high, out.low, v[third]) >= 0) continue;
+            const int beside = mine * screen_.side_of(out.high, out.low, v[third]);
+            if (beside == 0) continue;
             const double grows = slope(out, v[third]);
+            if (beside > 0) {
+                if (grows > own_slope) end_ = End::hidden;
+                continue;
+            }
             if (best != kNoNeighbour && grows <= best_slope) continue;
             best = at->face;
             best_third = third;
@@ -399,9 +406,10 @@ bool ScreenMesh::covers(const SampleSide& side,
     const double along_other = glm::dot(m, ray);
     if (along_other == 0) return false;
     const double nearer = w - glm::dot(m, corner(other, 0)) / along_other;
-    const double rounding = std::max(mesh_->rounding_world[mesh_->objects[seen]],
-                                     mesh_->rounding_world[mesh_->objects[other]]);
-    return nearer * std::abs(along_other) >= -kRoundings * rounding;
+    const auto tolerance = [&](std::uint32_t face) {
+        return mesh_->tolerance_world[mesh_->objects[face]];
+    };
+    return nearer * std::abs(along_other) >= -std::max(tolerance(seen), tolerance(other));
 }
 
 /// Whether the boundaries that ended two walks are the two sides of one crack, over which the
@@ -438,7 +446,15 @@ FoundLine ScreenMesh::between_surfaces(const SampleSide& side,
         return walk.end() == End::beyond && !is_far_behind(walk, other) &&
                covers(side, is_second, is_second ? side.second : side.first, walk.face());
     };
-    if (goes_on(there, back, true) || goes_on(back, there, false)) return {};
+    const bool goes_there = goes_on(there, back, true), goes_back = goes_on(back, there, false);
+    if (goes_there && goes_back) return {};
+    if (goes_there || goes_back) {
+        // Of two objects, the border of the one is a seam.
+        const bool is_seam = (goes_there ? has_second : has_first) &&
+                             mesh_->objects[side.first] != mesh_->objects[side.second];
+        if (!is_seam) return {};
+        return {LineKind::seam, goes_there ? 1 - back.s() : there.s()};
+    }
     if (has_first && has_second && is_crack(there, back)) {
         const bool is_one = mesh_->objects[there.face()] == mesh_->objects[back.face()];
         return is_one ? FoundLine{} : FoundLine{LineKind::seam, there.s()};

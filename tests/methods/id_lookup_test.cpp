@@ -131,6 +131,32 @@ TEST(IdLookup, BoundariesAreTold) {
     EXPECT_GT(lines, 200);
 }
 
+/// Expects that pixels of one class in the truth of a view have it beside or on them here.
+void expect_found(LineKind kind, const scene::Scene& scene, const scene::View& view) {
+    const truth::Truth truth = truth::trace_truth(scene, view, {});
+    const Agreement of =
+        compare(truth.labels, classes_of(scene, view))[static_cast<std::size_t>(kind)];
+    EXPECT_GT(of.truth_px, 100);
+    EXPECT_GE(of.same_px, 0.98 * of.truth_px);
+}
+
+TEST(IdLookup, AnObjectThatEndsOnAnotherInItsPlaneHasASeam) {
+    scene::Scene scene = scene_of({floor_mesh(1), floor_mesh(1)});
+    scene.instances[1].world_from_object = glm::translate(glm::dmat4(1), {1.8, 0, 0});
+    expect_found(LineKind::seam, scene, view_from(scene, {0.9, 3, 0.1}, {0.9, 0, 0}, {300, 200}));
+}
+
+TEST(IdLookup, AFinThinnerThanAPixelIsFoundFromBothSides) {
+    // It rises a little over one of two triangles of a floor, from the edge between them.
+    scene::Mesh mesh;
+    mesh.positions = {{0, 0, -1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}, {0.001F, 0.0005F, 0}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 1, 4}};
+    const scene::Scene scene = scene_of({mesh});
+    scene::View inside = view_from(scene, {0.1, 3, 0.2}, {0, 0, 0}, {300, 200});
+    inside.camera.fov_y_rad = 0.3;  // no border of the floor in view
+    expect_found(LineKind::boundary, scene, inside);
+}
+
 TEST(IdLookup, HairlineCracksAreClosed) {
     // A floor of two halves that lie a hair apart, and of a row of tiles in brick bond.
     scene::Mesh mesh;
