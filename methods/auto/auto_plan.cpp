@@ -52,11 +52,10 @@ ScenePlan choose(const scene::SceneStatistics& s, double price) {
                     lookup,
                     100 * s.smooth_share());
     if (lookup <= price) return {"surface_lookup", {{"surface_lookup", predicted}}};
-    // surface8_depth belongs here, between the two.
-    return {
-        "surface8",
-        {{"surface8", "a surface may hide a part of itself: distances over it tell, labels not"},
-         {"no look-up", fmt::format("{}, of {:g} at most", predicted, price)}}};
+    return {"surface8_depth",
+            {{"surface8_depth",
+              "a surface may hide a part of itself: distances over it and depth tell, labels not"},
+             {"no look-up", fmt::format("{}, of {:g} at most", predicted, price)}}};
 }
 
 }  // namespace

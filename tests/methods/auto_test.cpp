@@ -49,9 +49,9 @@ TEST(AutoPlan, WhatCannotHideItselfNeedsLabelsAlone) {
 
 TEST(AutoPlan, LooksLinesUpWhereThatIsWithinThePrice) {
     EXPECT_EQ(plan_for(torus(), 3).method, "surface_lookup");
-    EXPECT_EQ(plan_for(torus(), 1.5).method, "surface8");
+    EXPECT_EQ(plan_for(torus(), 1.5).method, "surface8_depth");
     EXPECT_EQ(plan_for(cylinder(), 1.5).method, "surface_lookup");
-    EXPECT_EQ(plan_for(cylinder(), 1).method, "surface8");
+    EXPECT_EQ(plan_for(cylinder(), 1).method, "surface8_depth");
 }
 
 TEST(AutoPlan, EdgesDrawWhatSamplesPassBy) {
