@@ -195,7 +195,7 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
         if (entry.path().extension() != ".toml") continue;
         // A list of models, and experiments on them: their scenes are files that must be fetched.
         const std::string stem = entry.path().stem().string();
-        if (stem == "models" || stem == "real" || stem == "one_byte" || stem == "outside") continue;
+        if (stem == "models" || stem == "real" || stem == "outside") continue;
         ++files;
         const Experiment e = read_experiment(entry.path());
         EXPECT_EQ(e.name, entry.path().stem().string());
