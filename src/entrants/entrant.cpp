@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/scratch_folder.h"
 #include "entrants/image_folder.h"
 #include "entrants/view_files.h"
 #include "harness/row.h"
@@ -33,32 +34,6 @@ constexpr int kThreads = 64;  ///< a program may keep so many busy for its whole
 constexpr std::uint64_t kOutputBytes = 1 << 20;
 constexpr std::uint64_t kFileBytes = 1ULL << 30;
 constexpr int kNotStarted = 127;  ///< exit code of a child that could not become the program
-
-/// A folder that is gone with it.
-class ScratchFolder {
-  public:
-    ScratchFolder() : path_(made()), ends_with_us_([path = path_] { remove(path); }) {}
-    ~ScratchFolder() { remove(path_); }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    static fs::path made() {
-        std::string name = (fs::temp_directory_path() / "inkbench-entrant-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw core::Error(name, "this folder cannot be made", "a temporary folder with space");
-        }
-        return name;
-    }
-    static void remove(const fs::path& path) {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-
-    fs::path path_;
-    core::CutOffGuard ends_with_us_;
-};
 
 std::string text_of(const import::ChildOutcome& outcome) {
     return {reinterpret_cast<const char*>(outcome.output.data()), outcome.output.size()};
@@ -176,7 +151,7 @@ class ProgramRunner {
 
     fs::path program_;
     EntrantLimits limits_;
-    ScratchFolder scratch_;
+    core::ScratchFolder scratch_{"entrant"};
     std::optional<ViewFiles> meshes_;
     std::uint64_t scene_hash_ = 0;
 };

@@ -18,6 +18,7 @@ namespace {
 /// One model file is refused by each command that takes one.
 void expect_model_refused(const Desk& desk, const std::string& model) {
     expect_refused(desk, "compare --out out --size 64x36 " + model, model);
+    expect_refused(desk, "advise --size 64x36 " + model, model);
     expect_refused(desk, "draw -o a.png --size 64x36 " + model, model);
     expect_refused(desk, "truth -o a.png --size 64x36 " + model, model);
 }
@@ -268,6 +269,7 @@ TEST(BadName, TooLongForAFile) {
     for (const char* line : {"compare {} --out out",
                              "compare cube --size 64x36 --out {}",
                              "compare cube --entrant mine={}",
+                             "advise {}",
                              "draw {} -o a.png",
                              "draw cube --size 64x36 -o {}.png",
                              "truth {}.obj -o a.png",

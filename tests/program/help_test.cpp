@@ -16,9 +16,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kCommands[] = {
-    "compare", "draw",         "truth",      "score", "explain",     "figures", "timedemo",
-    "tune",    "stress",       "run",        "merge", "bound",       "report",  "diff",
-    "export",  "entrant-test", "new-method", "list",  "completions", "help"};
+    "compare",  "advise", "draw",         "truth",      "score", "explain",     "figures",
+    "timedemo", "tune",   "stress",       "run",        "merge", "bound",       "report",
+    "diff",     "export", "entrant-test", "new-method", "list",  "completions", "help"};
 
 std::string expect_done(const Words& words) {
     return expect_done(Desk(), words);
@@ -112,7 +112,7 @@ TEST(Help, CallsNoArgumentLikeAnOption) {
 
 TEST(Help, LongWorkCanBeQuiet) {
     for (const char* command :
-         {"compare", "truth", "figures", "timedemo", "tune", "stress", "run", "bound"})
+         {"compare", "advise", "truth", "figures", "timedemo", "tune", "stress", "run", "bound"})
         EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-q,--quiet")) << command;
 }
 

@@ -102,14 +102,17 @@ TEST(CtrlC, SavesWhatIsFinishedWhileALargeSceneIsWorkedOn) {
     EXPECT_THAT(desk.read("out/verdict.md"), StartsWith("This run is not finished: "));
 }
 
-TEST(CtrlC, EndsATimeDemoOfALargeSceneInTwoSeconds) {
-    const Desk desk;
-    CtrlC ctrl_c(desk, is_at_once, 3);
-    const Outcome outcome = ctrl_c.during("timedemo globe --methods surface8");
-    ASSERT_TRUE(ctrl_c.was_sent()) << outcome.err;
-    EXPECT_EQ(outcome.exit_code, kInterrupted) << outcome.err;
-    EXPECT_THAT(outcome.err, EndsWith("inkbench: interrupted; nothing is written\n"));
-    EXPECT_LT(ctrl_c.took(), kMost);
+TEST(CtrlC, EndsATimeDemoOrAdviceOfALargeSceneInTwoSeconds) {
+    for (const char* words : {"timedemo globe --methods surface8", "advise globe --no-cache"}) {
+        const Desk desk;
+        CtrlC ctrl_c(desk, is_at_once, 3);
+        const Outcome outcome = ctrl_c.during(words);
+        ASSERT_TRUE(ctrl_c.was_sent()) << outcome.err;
+        EXPECT_EQ(outcome.exit_code, kInterrupted) << outcome.err;
+        EXPECT_THAT(outcome.err, EndsWith("inkbench: interrupted; nothing is written\n"));
+        EXPECT_LT(ctrl_c.took(), kMost);
+        EXPECT_TRUE(desk.inventory().empty()) << words;
+    }
 }
 
 TEST(CtrlC, EndsASearchOnALargeSceneInTwoSeconds) {

@@ -90,6 +90,7 @@ TEST(SceneOption, EveryCommandTakesBothWays) {
         "bound",
         "figures --methods mote4 --repetitions 1 --only strips --out figures",
         "tune --method mote4 --evaluations 2 --no-random --no-bound --force",
+        "advise -o a.png",
         "draw -o a.png",
         "truth -o b.png",
         "explain --method mote4",
@@ -103,7 +104,7 @@ TEST(SceneOption, EveryCommandTakesBothWays) {
 TEST(SceneOption, OfOneSceneSaysSoWhereThereAreMore) {
     const Desk desk;
     const std::vector<Words> commands = {
-        {"draw", "-o", "a.png"}, {"truth"}, {"explain"}, {"timedemo"}};
+        {"advise"}, {"draw", "-o", "a.png"}, {"truth"}, {"explain"}, {"timedemo"}};
     for (Words command : commands) {
         expect_refused(desk, command, {command[0], "the scene is missing"});
         command.insert(command.end(), {"cube", "--scene", "torus"});

@@ -14,6 +14,7 @@ namespace ink::cli {
 // clang-format off
 #define INK_COMMANDS(X) \
     X(compare) \
+    X(advise) \
     X(draw) \
     X(truth) \
     X(score) \
