@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <sstream>
 
+#include "core/named.h"
 #include "experiment/option_table.h"
 #include "methods/toml_reader.h"
 
@@ -31,6 +32,8 @@ toml::array cameras_of(const harness::ViewRequest& request) {
 toml::table views_of(const harness::ViewRequest& request) {
     toml::table views;
     if (request.orbit_count) views.insert("orbit", *request.orbit_count);
+    if (!request.directions.empty())
+        views.insert("directions", methods::array_of(core::names_of(request.directions)));
     if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
     if (request.margin) views.insert("margin", *request.margin);
     if (!request.objects.empty()) views.insert("objects", methods::array_of(request.objects));

@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/error.h"
+#include "core/named.h"
+#include "core/param.h"
 #include "core/parse_number.h"
 #include "experiment/experiment.h"
 #include "methods/method_configs.h"
@@ -95,6 +97,41 @@ void parse_framing(const ViewOptions& options, harness::ViewRequest& request) {
     }
 }
 
+std::string accepted_views(const std::string& wrong) {
+    return "1..360, file, or some of " +
+           core::known_names(core::names_of(scene::drawing_views()), wrong);
+}
+
+/// Names of views, each once.
+std::vector<scene::NamedDirection> parse_directions(const std::string& names) {
+    const auto known = scene::drawing_views();
+    std::vector<scene::NamedDirection> directions;
+    for (const std::string& name : methods::split_list(names)) {
+        const auto* direction = core::find_named(known, name);
+        if (direction == nullptr)
+            throw core::Error(
+                "--views", fmt::format("there is no '{}'", name), accepted_views(name));
+        if (core::find_named(directions, name) != nullptr)
+            throw core::Error("--views", fmt::format("'{}' is named twice", name), "each once");
+        directions.push_back(*direction);
+    }
+    if (directions.empty())
+        throw core::Error("--views", fmt::format("'{}' names none", names), accepted_views(names));
+    return directions;
+}
+
+void parse_views(const std::string& views, harness::ViewRequest& request) {
+    if (views.empty()) return;
+    if (views == "file") {
+        request.file_cameras = true;
+    } else if (const int count = core::parse_number<int>(views).value_or(0);
+               count >= 1 && count <= 360) {
+        request.orbit_count = count;
+    } else {
+        request.directions = parse_directions(views);
+    }
+}
+
 }  // namespace
 
 harness::ViewRequest view_request(const ViewOptions& options) {
@@ -104,17 +141,7 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     request.height_px = size.height_px;
     parse_cameras(options, request);
     parse_framing(options, request);
-    if (options.views == "file") {
-        request.file_cameras = true;
-    } else if (!options.views.empty()) {
-        const int count = core::parse_number<int>(options.views).value_or(0);
-        if (count < 1 || count > 360) {
-            throw core::Error("--views",
-                              fmt::format("'{}' is no number of views", options.views),
-                              "1..360, or 'file'");
-        }
-        request.orbit_count = count;
-    }
+    parse_views(options.views, request);
     if (options.time_s && options.frame) {
         throw core::Error("--time", "there is a --frame beside it", "one of the two");
     }

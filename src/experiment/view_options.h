@@ -14,7 +14,7 @@ inline constexpr double kFov_deg = 40;  ///< of a camera that is set by hand
 /// `view_request` reads them.
 struct ViewOptions {
     std::string size = "1280x720";
-    std::string views;  ///< a number, or "file"
+    std::string views;  ///< a number, "file", or names of scene::drawing_views()
     std::vector<std::string> eyes;
     std::vector<std::string> targets;
     std::optional<std::string> up;  ///< only with eyes, as the next

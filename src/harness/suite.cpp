@@ -63,7 +63,11 @@ std::vector<scene::Camera> orbit_of(const scene::Scene& scene, const ViewRequest
     std::optional<scene::Scene> part;
     if (!request.objects.empty()) part = scene::only_objects(scene, request.objects);
     const scene::Scene& framed = part ? *part : scene;
-    auto cameras = scene::orbit_cameras(scene::bounding_sphere(framed), count, aspect);
+    const scene::Sphere bounds = scene::bounding_sphere(framed);
+    std::vector<scene::Camera> cameras;
+    for (const scene::NamedDirection& direction : request.directions)
+        cameras.push_back(scene::camera_round(bounds, direction, aspect));
+    if (cameras.empty()) cameras = scene::orbit_cameras(bounds, count, aspect);
     if (part && request.fit != Fit::box) {
         for (scene::Camera& camera : cameras)
             scene::fit_clip_range(camera, scene::bounding_sphere(scene));
@@ -92,7 +96,8 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
             "--views N, or --eye X,Y,Z --target X,Y,Z");
     }
     const bool is_framed = request.fit || !request.objects.empty();
-    if (request.orbit_count || is_framed) return orbit_of(scene, request);
+    if (request.orbit_count || !request.directions.empty() || is_framed)
+        return orbit_of(scene, request);
     if (request.file_cameras || is_catalogue_scene) {
         std::vector<scene::Camera> cameras = scene.cameras;
         const bool is_posed = request.time_s || request.frame;

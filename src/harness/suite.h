@@ -31,6 +31,7 @@ struct ViewRequest {
     int width_px = 1280;
     int height_px = 720;
     std::optional<int> orbit_count;  ///< this many round the scene, instead of its own views
+    std::vector<scene::NamedDirection> directions = {};  ///< these round the scene instead
     /// How views round a scene are framed; any of these asks for such views, three unless said.
     std::optional<Fit> fit = {};        ///< default: the sphere
     std::optional<double> margin = {};  ///< of the frame's size on either side, of Fit::box; .04

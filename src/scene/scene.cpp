@@ -145,11 +145,37 @@ std::uint64_t scene_hash(const Scene& scene) {
     return hasher.result();
 }
 
+std::span<const NamedDirection> drawing_views() {
+    static constexpr glm::dvec3 kUp{0, 1, 0};
+    static constexpr double kThird = std::numbers::inv_sqrt3;
+    static constexpr std::array<NamedDirection, 7> kViews{{{"front", {0, 0, 1}, kUp},
+                                                           {"back", {0, 0, -1}, kUp},
+                                                           {"left", {-1, 0, 0}, kUp},
+                                                           {"right", {1, 0, 0}, kUp},
+                                                           {"top", {0, 1, 0}, {0, 0, -1}},
+                                                           {"bottom", {0, -1, 0}, {0, 0, 1}},
+                                                           {"iso", {kThird, kThird, kThird}, kUp}}};
+    return kViews;
+}
+
+Camera camera_round(const Sphere& bounds, const NamedDirection& view, double width_over_height) {
+    const double radius = bounds.radius > 0 ? bounds.radius : 1.0;
+    const double half_y_rad = Camera{}.fov_y_rad / 2;
+    const double half_x_rad = std::atan(std::tan(half_y_rad) * width_over_height);
+    const double distance = 1.02 * radius / std::sin(std::min(half_x_rad, half_y_rad));
+    Camera camera = look_at(bounds.center_world + view.outward_world * distance,
+                            bounds.center_world,
+                            view.up_world,
+                            Camera{}.fov_y_rad);
+    camera.name = view.name;
+    fit_clip_range(camera, bounds);
+    return camera;
+}
+
 std::vector<Camera> orbit_cameras(const Sphere& bounds, int count, double width_over_height) {
     constexpr double kFirstTurn_rad = 35 * std::numbers::pi / 180;
     constexpr double kHigh_rad = 25 * std::numbers::pi / 180;
     constexpr double kLow_rad = 8 * std::numbers::pi / 180;
-    const double radius = bounds.radius > 0 ? bounds.radius : 1.0;
 
     std::vector<Camera> cameras;
     for (int i = 0; i < count; ++i) {
@@ -158,16 +184,8 @@ std::vector<Camera> orbit_cameras(const Sphere& bounds, int count, double width_
         const glm::dvec3 outward{std::sin(turn_rad) * std::cos(height_rad),
                                  std::sin(height_rad),
                                  std::cos(turn_rad) * std::cos(height_rad)};
-        const double half_y_rad = Camera{}.fov_y_rad / 2;
-        const double half_x_rad = std::atan(std::tan(half_y_rad) * width_over_height);
-        const double distance = 1.02 * radius / std::sin(std::min(half_x_rad, half_y_rad));
-        Camera camera = look_at(bounds.center_world + outward * distance,
-                                bounds.center_world,
-                                {0, 1, 0},
-                                Camera{}.fov_y_rad);
-        camera.name = fmt::format("view{}", i);
-        fit_clip_range(camera, bounds);
-        cameras.push_back(std::move(camera));
+        const std::string name = fmt::format("view{}", i);
+        cameras.push_back(camera_round(bounds, {name, outward, {0, 1, 0}}, width_over_height));
     }
     return cameras;
 }

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -96,5 +97,21 @@ void check_scene(const Scene& scene);
 [[nodiscard]] std::vector<Camera> orbit_cameras(const Sphere& bounds,
                                                 int count,
                                                 double width_over_height);
+
+/// From where a view is seen, and what stands upright in it.
+struct NamedDirection {
+    std::string_view name;
+    glm::dvec3 outward_world{0};  ///< from what is looked at to the eye, of length 1
+    glm::dvec3 up_world{0};
+};
+
+/// The views of a technical drawing: front (from +z), back, left, right (from +x), top (from +y, -z
+/// up on the page), bottom (+z up) and iso (from 1,1,1).
+[[nodiscard]] std::span<const NamedDirection> drawing_views();
+
+/// A camera called by the view's name that looks at the middle of the ball, all of it in the frame.
+[[nodiscard]] Camera camera_round(const Sphere& bounds,
+                                  const NamedDirection& view,
+                                  double width_over_height);
 
 }  // namespace ink::scene

@@ -193,6 +193,7 @@ void add_training_views(harness::SceneViews& scene_views,
     if (count == 0 || scene_views.scene.split == scene::Split::heldout) return;
     harness::ViewRequest more = request;
     more.orbit_count = count;
+    more.directions.clear();
     more.cameras.clear();
     more.file_cameras = false;
     for (scene::View& view : harness::make_scene_views(scene_views.scene, more).views) {

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <glm/geometric.hpp>
+#include <map>
+
 #include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "tests/core/error_text.h"
@@ -24,6 +28,46 @@ TEST(SceneViews, AModelGetsThreeViewsRoundItUnlessAsked) {
     ViewRequest five;
     five.orbit_count = 5;
     EXPECT_EQ(make_scene_views(model(), five).views.size(), 5U);
+}
+
+TEST(SceneViews, NamedViewsLookWhereTheirNamesSay) {
+    scene::Scene scene = model();
+    scene.instances[0].world_from_object[3] = {1, 2, 3, 1};
+    ViewRequest request;
+    request.directions.assign(scene::drawing_views().begin(), scene::drawing_views().end());
+    const SceneViews scene_views = make_scene_views(scene, request);
+    const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    // Right, up and back of each on the page.
+    const std::map<std::string, std::array<glm::dvec3, 3>> expected = {{"front", {x, y, z}},
+                                                                       {"back", {-x, y, -z}},
+                                                                       {"left", {z, y, -x}},
+                                                                       {"right", {-z, y, x}},
+                                                                       {"top", {x, -z, y}},
+                                                                       {"bottom", {x, z, -y}}};
+    ASSERT_EQ(scene_views.views.size(), 7U);
+    for (const scene::View& view : scene_views.views) {
+        const scene::Camera& camera = view.camera;
+        const glm::dvec3 out = glm::normalize(camera.eye_world - glm::dvec3(1, 2, 3));
+        if (camera.name == "iso") {
+            EXPECT_NEAR(glm::dot(out, glm::normalize(x + y + z)), 1, 1e-12);
+            EXPECT_GT((camera.view_from_world * y).y, 0.8) << "y is up on the page";
+            continue;
+        }
+        const auto& [right, up, back] = expected.at(camera.name);
+        EXPECT_EQ(camera.view_from_world * right, x) << camera.name;
+        EXPECT_EQ(camera.view_from_world * up, y) << camera.name;
+        EXPECT_EQ(camera.view_from_world * back, z) << camera.name;
+        EXPECT_NEAR(glm::dot(out, back), 1, 1e-12) << camera.name;
+    }
+}
+
+TEST(SceneViews, NamedViewsAreFramedAsAsked) {
+    ViewRequest request;
+    request.directions = {scene::drawing_views()[0]};
+    const double far = make_scene_views(model(), request).views[0].camera.eye_world.z;
+    request.fit = Fit::box;
+    EXPECT_LT(make_scene_views(model(), request).views[0].camera.eye_world.z, far);
+    EXPECT_EQ(make_scene_views(model(), request).views[0].camera.name, "front");
 }
 
 TEST(SceneViews, ACatalogueSceneHasItsOwnViews) {

@@ -175,8 +175,11 @@ TEST(BadValue, Numbers) {
     const Desk desk;
     for (const char* threads : {"0", "-1", "two", "1000000", "1.5"})
         expect_refused(desk, {"compare", "--threads", threads, "--out", "out"}, "--threads");
-    for (const char* views : {"0", "-1", "many", "100000", "1.5"})
+    for (const char* views : {"0", "-1", "many", "100000", "1.5", "front,3", "top,file", ","})
         expect_refused(desk, {"compare", "--views", views, "--out", "out"}, "--views");
+    expect_refused(desk, "draw cube -o a.png --views top,frnt", {"there is no 'frnt'"});
+    expect_refused(desk, "draw cube -o a.png --views frnt", {"did you mean front?"});
+    expect_refused(desk, "draw cube -o a.png --views top,top", {"'top' is named twice"});
     for (const char* seed : {"-1", "x", "99999999999999999999999"})
         expect_refused(desk, {"compare", "--seed", seed, "--out", "out"}, "--seed");
 }

@@ -75,11 +75,13 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
         ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
     command
-        .add_option("--views",
-                    options.views,
-                    "N views round the scene, or 'file' for the model's own cameras (default: a "
-                    "built-in scene's own views, three round a model)")
-        ->type_name("N|file");
+        .add_option(
+            "--views",
+            options.views,
+            "N views round the scene, names (front, back, left, right, top, bottom, iso), or "
+            "'file' for the model's own cameras (default: a built-in scene's own views, "
+            "three round a model)")
+        ->type_name("N|NAME,...|file");
     command
         .add_option("--fit",
                     options.fit,
