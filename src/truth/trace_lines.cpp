@@ -29,11 +29,11 @@ constexpr std::size_t kChunk = 64;  ///< edges or crossings a task
 /// What can change along a line. `plain`: visible, and not a contour.
 enum class State : std::uint8_t { hidden, plain, against_sky, against_other, against_self };
 
-/// Follows one line and notes its visible pieces.
+/// Follows one line and notes its visible pieces, and hidden ones if asked.
 class LineTracer {
   public:
-    LineTracer(const EyeView& eye, const Visibility& visibility, TracedLines& out)
-        : eye_(eye), visibility_(visibility), out_(out) {}
+    LineTracer(const EyeView& eye, const Visibility& visibility, Hidden hidden, TracedLines& out)
+        : eye_(eye), visibility_(visibility), keeps_hidden_(hidden == Hidden::keep), out_(out) {}
 
     void trace(const ScreenLine& line) {
         line_ = &line;
@@ -115,7 +115,7 @@ class LineTracer {
     }
 
     void emit(double begin, double end, State state) {
-        if (state == State::hidden) return;
+        if (state == State::hidden && !keeps_hidden_) return;
         Curve curve;
         curve.line_class = line_->line_class;
         curve.edge = line_->segment.edge;
@@ -132,7 +132,7 @@ class LineTracer {
         curve.deviation_rad = line_->segment.crossing != nullptr
                                   ? deviation_of_crossing()
                                   : deviation(begin + (end - begin) / 2);
-        out_.curves.push_back(curve);
+        (state == State::hidden ? out_.hidden : out_.curves).push_back(curve);
     }
 
     /// How far the two seen faces deviate from flat; of a contour its first two faces.
@@ -167,6 +167,7 @@ class LineTracer {
 
     const EyeView& eye_;
     const Visibility& visibility_;
+    bool keeps_hidden_;
     TracedLines& out_;
     const ScreenLine* line_ = nullptr;
     std::uint32_t blocker_ = kNoFace;
@@ -203,10 +204,18 @@ std::vector<const Crossing*> seen_crossings(const EyeView& eye) {
     return crossings;
 }
 
+void check_crossings(const Model& model) {
+    if (!model.crossings.is_too_many) return;
+    throw TooLarge(
+        "more pairs of triangles touch than the search for crossings may look at; fewer objects "
+        "that grow into each other, or a simpler mesh, would help");
+}
+
 /// What the tasks share.
 struct Tracing {
     const EyeView& eye;
     const Visibility& visibility;
+    Hidden hidden;
     std::vector<std::uint32_t> edges;
     std::vector<const Crossing*> crossings;
 };
@@ -214,7 +223,7 @@ struct Tracing {
 /// Traces the edges, then the crossings, numbered through, from `begin` to `end`.
 TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t end) {
     TracedLines out;
-    LineTracer tracer(tracing.eye, tracing.visibility, out);
+    LineTracer tracer(tracing.eye, tracing.visibility, tracing.hidden, out);
     for (std::size_t i = begin; i < end; ++i) {
         if (i >= tracing.edges.size()) {
             const Crossing& crossing = *tracing.crossings[i - tracing.edges.size()];
@@ -263,9 +272,13 @@ class Account {
 
 }  // namespace
 
-TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTrace& trace) {
+TracedLines trace_lines(const EyeView& eye,
+                        const EyeScene& scene,
+                        const TruthTrace& trace,
+                        Hidden hidden) {
+    check_crossings(eye.model);
     const Visibility visibility(eye, scene);
-    const Tracing tracing{eye, visibility, feature_edges(eye), seen_crossings(eye)};
+    const Tracing tracing{eye, visibility, hidden, feature_edges(eye), seen_crossings(eye)};
     const std::size_t count = tracing.edges.size() + tracing.crossings.size();
     std::vector<TracedLines> parts((count + kChunk - 1) / kChunk);
     Account account(trace, parts.size());
@@ -291,6 +304,7 @@ TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTr
     TracedLines all;
     for (const TracedLines& part : parts) {
         all.curves.insert(all.curves.end(), part.curves.begin(), part.curves.end());
+        all.hidden.insert(all.hidden.end(), part.hidden.begin(), part.hidden.end());
         all.candidate_edges += part.candidate_edges;
         all.samples += part.samples;
         all.rays += part.rays;

@@ -271,12 +271,6 @@ TruthCounts counts_of(const Model& model,
 Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace) {
     const auto begin = std::chrono::steady_clock::now();
     if (view.width_px <= 0 || view.height_px <= 0) return {};
-    if (model.crossings.is_too_many) {
-        throw TooLarge(
-            "more pairs of triangles touch than the search for crossings may look at; fewer "
-            "objects "
-            "that grow into each other, or a simpler mesh, would help");
-    }
     const EyeView eye(model, view, trace.threads);
     const EyeScene scene(model.topology, view.camera.eye_world, trace.threads);
 
