@@ -23,9 +23,13 @@ TracedView::TracedView(harness::SceneViews traced, const harness::TraceOptions& 
     try {
         truth = harness::trace_view(model, view(), options);
     } catch (const truth::TooLarge& reason) {
-        fmt::print(stderr, "inkbench: {}: too_large: {}\n", scene_views.scene.name, reason.what());
-        throw CLI::RuntimeError(1);
+        end_too_large(scene_views.scene.name, reason);
     }
+}
+
+void end_too_large(const std::string& scene_name, const truth::TooLarge& reason) {
+    fmt::print(stderr, "inkbench: {}: too_large: {}\n", scene_name, reason.what());
+    throw CLI::RuntimeError(1);
 }
 
 }  // namespace ink::cli

@@ -20,4 +20,7 @@ struct TracedView {
     harness::ViewTruth truth;
 };
 
+/// Ends the program with exit code 1 and one line on stderr.
+[[noreturn]] void end_too_large(const std::string& scene_name, const truth::TooLarge& reason);
+
 }  // namespace ink::cli

@@ -7,6 +7,7 @@
 
 #include "core/escape.h"
 #include "draw/palette.h"
+#include "draw/svg_lines.h"
 #include "truth/join_curves.h"
 
 namespace ink::draw {
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double kDegPerRad = 180 / std::numbers::pi;
 
-/// In the order of drawing: where lines meet, the class that wins lies on top.
-constexpr truth::LineClass kDrawn[] = {truth::LineClass::seam,
-                                       truth::LineClass::intersection,
-                                       truth::LineClass::crease,
-                                       truth::LineClass::boundary,
-                                       truth::LineClass::contour};
 struct NamedKind {
     truth::ContourKind kind;
     const char* name;
@@ -29,12 +24,8 @@ constexpr NamedKind kKinds[] = {{truth::ContourKind::none, ""},
                                 {truth::ContourKind::other_object, "other_object"},
                                 {truth::ContourKind::self, "self"}};
 
-/// Up to three decimals without idle zeros.
 std::string coordinate(double px) {
-    std::string text = fmt::format("{:.3f}", px);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
+    return svg_number(px, 3);
 }
 
 template <class Text>
@@ -99,7 +90,7 @@ std::string outline_svg(const truth::Truth& truth,
                         const scene::View& view) {
     const std::vector<truth::Polyline> lines = truth::join_curves(truth.curves);
     std::string body;
-    for (const truth::LineClass line_class : kDrawn) {
+    for (const truth::LineClass line_class : kDrawnOrder) {
         for (const NamedKind& kind : kKinds)
             body += group(lines, truth, line_class, kind);
     }

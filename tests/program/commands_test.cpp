@@ -10,6 +10,7 @@
 
 #include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
+#include "tests/report/markup.h"
 
 // The commands as a user runs them, on scenes small enough to be quick.
 
@@ -365,6 +366,40 @@ TEST(Truth, WritesLayersAndCurvesByTheEndingOfTheName) {
     EXPECT_EQ(desk.read("again.svg"), desk.read("curves.svg"));
     expect_done(desk, "draw torus --size 160x90 -o ink.exr");
     EXPECT_THAT(desk.read("ink.exr"), StartsWith("\x76\x2f\x31\x01"));
+}
+
+TEST(Truth, DrawsASheetPerView) {
+    const Desk desk;
+    desk.write("cube.obj", kCubeObj);
+    const Words cube = "truth cube.obj --size 160x90";
+    const std::string told =
+        expect_done(desk, cube + "--views front,iso --drawing sheets --hidden --threads 1");
+    EXPECT_THAT(told, HasSubstr("cube.obj iso: sheets/iso.svg, 4 visible, 3 hidden lines"));
+    EXPECT_THAT(told, Not(HasSubstr("behind contours"))) << "lines alone";
+    const std::string iso = desk.read("sheets/iso.svg");
+    EXPECT_EQ(report::nesting_error(iso), "");
+    EXPECT_THAT(iso, AllOf(HasSubstr(R"(width="42.3333mm")"), HasSubstr("hidden-crease-3")));
+    EXPECT_THAT(desk.read("sheets/front.svg"), HasSubstr(R"(id="contour-1")"));
+
+    expect_done(desk, cube + "--views iso --drawing one.svg --hidden --threads 2");
+    EXPECT_EQ(desk.read("one.svg"), iso);
+    const std::string both =
+        expect_done(desk, cube + "--views iso -o a.png --drawing wide.svg --sheet-width 90");
+    EXPECT_THAT(both, AllOf(HasSubstr("wide.svg"), HasSubstr("behind contours")));
+    EXPECT_THAT(desk.read("wide.svg"), AllOf(HasSubstr("90mm"), Not(HasSubstr("hidden"))));
+}
+
+TEST(Truth, RefusesDrawingsThatCannotBe) {
+    const Desk desk;
+    const auto expect = [&](const Words& more, const std::string& culprit) {
+        expect_refused(desk, Words("truth cube --size 16x16") + more, {culprit});
+    };
+    expect("--hidden", "--hidden: there is no drawing");
+    expect("--sheet-width 80", "--sheet-width: there is no drawing");
+    expect("--drawing a.svg --sheet-width 0", "no sheet is 0 mm wide");
+    expect("--drawing a.svg --views top,iso", "one file has no room for 2 views");
+    expect("--drawing a.svg --views 3", "one file has no room for 3 views");
+    expect("--drawing none/a.svg", "its folder does not exist");
 }
 
 TEST(Truth, WeldEpsilonClosesCracksAndIsRecorded) {

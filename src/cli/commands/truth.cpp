@@ -7,7 +7,9 @@
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
+#include "cli/place.h"
 #include "cli/traced_view.h"
+#include "cli/view_drawings.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
@@ -39,9 +41,32 @@ struct TruthArgs {
     std::optional<std::string> sampled;
     std::optional<std::string> disagreement;
     bool crosscheck = false;
+    DrawingOptions drawing;
     CacheOptions cache;
     ExperimentOptions options{usual_truth()};
+
+    /// Whether drawings are all that was asked for: they need the lines alone.
+    [[nodiscard]] bool is_drawing_alone() const {
+        return drawing.place && !file && !svg && !image && !sampled && !crosscheck;
+    }
 };
+
+/// The one view, or all for a folder of drawings: the first is the one that is traced.
+harness::SceneViews asked_views(const TruthArgs& args, const harness::ViewRequest& request) {
+    const std::string scene = one_scene(args.scene, "truth");
+    if (args.drawing.is_folder() && args.view.empty())
+        return std::move(harness::load_scenes({scene}, request).front());
+    return harness::load_one_view(scene, args.view, request);
+}
+
+void draw_alone(const TruthArgs& args,
+                const harness::SceneViews& scene_views,
+                truth::TruthOptions options) {
+    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    harness::report_progress(options);
+    truth::SceneModel model(scene_views.scene, options);
+    write_drawings(model, scene_views.views, args.drawing);
+}
 
 /// In the format that the name asks for.
 void write_truth(const TracedView& traced,
@@ -109,6 +134,9 @@ std::string command_of_truth(const CLI::App& command) {
                              "--sampled",
                              "--crosscheck",
                              "--disagreement",
+                             "--drawing",
+                             "--hidden",
+                             "--sheet-width",
                              "--threads",
                              "--cache",
                              "--no-cache"});
@@ -126,9 +154,11 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     for (const auto& file : {args.image, args.sampled, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
-    TracedView traced(
-        harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views)),
-        options);
+    const harness::ViewRequest request = view_request(args.views);
+    check_drawing_options(args.drawing, request);
+    harness::SceneViews scene_views = asked_views(args, request);
+    if (args.is_drawing_alone()) return draw_alone(args, scene_views, options.truth);
+    TracedView traced(std::move(scene_views), options);
     const scene::Scene& scene = traced.scene_views.scene;
     if (args.crosscheck && !args.disagreement) {
         args.disagreement = default_disagreement(scene, traced.view());
@@ -136,6 +166,7 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     const draw::TruthOrigin origin{traced.scene_views, options.truth, command_of_truth(command)};
     if (args.file) write_truth(traced, origin, *args.file);
     if (args.svg) write_truth(traced, origin, *args.svg);
+    if (args.drawing.place) write_drawings(traced.model, traced.scene_views.views, args.drawing);
     if (args.image) draw::write_truth_image(traced.truth.counted_labels(), *args.image);
     if (args.sampled) draw::write_responses(traced.truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
@@ -177,6 +208,7 @@ void add_truth_command(CLI::App& app) {
                      "PNG of the lines that only one of the two has, with --crosscheck (default: "
                      "inkbench-out/crosscheck/SCENE_VIEW.png)")
         ->type_name("FILE");
+    add_drawing_options(*command, args->drawing);
     command->add_option("--view", args->view, "Name of the view (default: the first)")
         ->type_name("NAME");
     add_view_options(*command, args->views);
@@ -188,6 +220,7 @@ void add_truth_command(CLI::App& app) {
         "Example: inkbench truth staircase -o truth.png --image lines.png\n"
         "The .png has a few kB, and says how it wants to be scored, as the .exr does:\n"
         "inkbench score drawn.png truth.png\n"
+        "inkbench truth bracket --views front,top,iso --drawing sheets --hidden\n"
         "With --intersections above_crease, those below the crease angle are 7 too, as in "
         "compare.\n"
         "Exit codes: 0 done, 1 the view is too large, or with --crosscheck: agreement below 99.9 % "

@@ -1,0 +1,104 @@
+#include "cli/view_drawings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/options/options.h"
+#include "cli/traced_view.h"
+#include "core/error.h"
+#include "core/whole_file.h"
+#include "draw/line_drawing.h"
+#include "harness/out_folder.h"
+#include "harness/view_images.h"
+#include "truth/drawn_lines.h"
+
+namespace ink::cli {
+namespace {
+
+constexpr double kLeastSheet_mm = 1, kMostSheet_mm = 10000;
+
+void check_sheet(double width_mm) {
+    if (width_mm >= kLeastSheet_mm && width_mm <= kMostSheet_mm) return;
+    throw core::Error("--sheet-width",
+                      fmt::format("no sheet is {:g} mm wide", width_mm),
+                      fmt::format("{:g}..{:g}", kLeastSheet_mm, kMostSheet_mm));
+}
+
+truth::DrawnLines lines_of(truth::SceneModel& model, const scene::View& view, bool hidden) {
+    const truth::TruthOptions& options = model.options();
+    try {
+        return truth::trace_drawn_lines(
+            model.model(),
+            view,
+            {.threads = options.threads, .limits = options.limits, .progress = options.progress},
+            hidden ? truth::Hidden::keep : truth::Hidden::leave_out);
+    } catch (const truth::TooLarge& reason) {
+        end_too_large(model.scene().name, reason);
+    }
+}
+
+}  // namespace
+
+void add_drawing_options(CLI::App& command, DrawingOptions& options) {
+    command
+        .add_option("--drawing",
+                    options.place,
+                    "SVG for print, in mm, of long lines in a group per class: a name in .svg for "
+                    "one view, else a folder, which gets VIEW.svg of each view")
+        ->type_name("FILE|DIR");
+    command.add_flag("--hidden", options.hidden, "Hidden lines too, dashed, in --drawing");
+    command
+        .add_option("--sheet-width",
+                    options.sheet_width_mm,
+                    "Width of a --drawing (default: 96 px an inch)")
+        ->type_name("MM");
+}
+
+void check_drawing_options(const DrawingOptions& options, const harness::ViewRequest& request) {
+    if (!options.place) {
+        for (const auto& [is_asked, name] : {std::pair{options.hidden, "--hidden"},
+                                             {options.sheet_width_mm.has_value(), "--sheet-width"}})
+            if (is_asked) throw core::Error(name, "there is no drawing to show it", "--drawing");
+        return;
+    }
+    if (options.sheet_width_mm) check_sheet(*options.sheet_width_mm);
+    if (options.is_folder()) {
+        harness::make_out_folder(*options.place);
+        return;
+    }
+    const std::size_t views = std::max({static_cast<std::size_t>(request.orbit_count.value_or(1)),
+                                        request.directions.size(),
+                                        request.cameras.size()});
+    if (views > 1) {
+        throw core::Error(*options.place,
+                          fmt::format("one file has no room for {} views", views),
+                          "a folder, which gets a file of each");
+    }
+    check_output_path(*options.place, {".svg"});
+}
+
+void write_drawings(truth::SceneModel& model,
+                    std::span<const scene::View> views,
+                    const DrawingOptions& options) {
+    const std::string& scene = model.scene().name;
+    for (const scene::View& view : options.is_folder() ? views : views.first(1)) {
+        const truth::DrawnLines lines = lines_of(model, view, options.hidden);
+        const double width_mm =
+            options.sheet_width_mm.value_or(draw::usual_sheet_mm(view.width_px));
+        std::filesystem::path path = *options.place;
+        if (options.is_folder()) path /= harness::file_name(view.camera.name) + ".svg";
+        core::write_whole_file(path, draw::line_drawing(lines, scene, view, width_mm));
+        const std::string hidden =
+            options.hidden ? fmt::format(", {} hidden", lines.hidden.size()) : "";
+        fmt::print("{} {}: {}, {} visible{} lines\n",
+                   scene,
+                   view.camera.name,
+                   path.string(),
+                   lines.visible.size(),
+                   hidden);
+    }
+}
+
+}  // namespace ink::cli
