@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "draw/line_drawing.h"
-#include "harness/out_folder.h"
 #include "harness/view_images.h"
 #include "truth/drawn_lines.h"
 
@@ -56,7 +55,9 @@ void add_drawing_options(CLI::App& command, DrawingOptions& options) {
         ->type_name("MM");
 }
 
-void check_drawing_options(const DrawingOptions& options, const harness::ViewRequest& request) {
+void check_drawing_options(const DrawingOptions& options,
+                           const harness::ViewRequest& request,
+                           const std::string& view_name) {
     if (!options.place) {
         for (const auto& [is_asked, name] : {std::pair{options.hidden, "--hidden"},
                                              {options.sheet_width_mm.has_value(), "--sheet-width"}})
@@ -64,17 +65,14 @@ void check_drawing_options(const DrawingOptions& options, const harness::ViewReq
         return;
     }
     if (options.sheet_width_mm) check_sheet(*options.sheet_width_mm);
-    if (options.is_folder()) {
-        harness::make_out_folder(*options.place);
-        return;
-    }
+    if (options.is_folder()) return;
     const std::size_t views = std::max({static_cast<std::size_t>(request.orbit_count.value_or(1)),
                                         request.directions.size(),
                                         request.cameras.size()});
-    if (views > 1) {
+    if (views > 1 && view_name.empty()) {
         throw core::Error(*options.place,
                           fmt::format("one file has no room for {} views", views),
-                          "a folder, which gets a file of each");
+                          "a folder, which gets a file of each, or --view NAME");
     }
     check_output_path(*options.place, {".svg"});
 }

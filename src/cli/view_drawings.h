@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,21 +13,25 @@ namespace ink::cli {
 
 /// Which drawings `truth` writes.
 struct DrawingOptions {
-    std::optional<std::string> place;  ///< a file (.svg) of one view, else a folder
+    std::optional<std::string> place;  ///< a file (.svg) of one view, or a folder
     bool hidden = false;
     std::optional<double> sheet_width_mm;
 
-    [[nodiscard]] bool is_folder() const { return place && !place->ends_with(".svg"); }
+    [[nodiscard]] bool is_folder() const {
+        return place && std::filesystem::path(*place).extension().empty();
+    }
 };
 
 void add_drawing_options(CLI::App& command, DrawingOptions& options);
 
-/// Before any work: makes the folder. Throws core::Error for options that say nothing, a place that
-/// cannot be written, and where several views are asked for and a file has room for one.
-void check_drawing_options(const DrawingOptions& options, const harness::ViewRequest& request);
+/// Before any work. Throws core::Error for options that say nothing, a file that cannot be written,
+/// and where several views are asked for, none by `view_name`, and a file has room for one.
+void check_drawing_options(const DrawingOptions& options,
+                           const harness::ViewRequest& request,
+                           const std::string& view_name);
 
-/// Writes a drawing per view, or that of the first view into a file, with a line on stdout each. A
-/// view that is too large ends the program.
+/// Writes a drawing per view into the folder, which is there, or that of the first view into a
+/// file, with a line on stdout each. A view that is too large ends the program.
 void write_drawings(truth::SceneModel& model,
                     std::span<const scene::View> views,
                     const DrawingOptions& options);

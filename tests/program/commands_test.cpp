@@ -336,6 +336,9 @@ TEST(Compare, ViewsAreThoseThatWereAskedFor) {
         return only(rows_of(desk, "out"), "mote2").size();
     };
     EXPECT_EQ(views({"--views", "5"}), 5U);
+    EXPECT_EQ(views({"--views", "top,iso"}), 2U);
+    EXPECT_EQ(only(rows_of(desk, "out"), "mote2").front().at("view"), "top");
+    EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("directions = [ 'top', 'iso' ]"));
     EXPECT_EQ(views({"--eye", "3,2,4", "--target", "0.5,0.5,0.5", "--up", "0,1,0", "--fov", "30"}),
               1U);
 }
@@ -383,6 +386,7 @@ TEST(Truth, DrawsASheetPerView) {
 
     expect_done(desk, cube + "--views iso --drawing one.svg --hidden --threads 2");
     EXPECT_EQ(desk.read("one.svg"), iso);
+    expect_done(desk, cube + "--views 3 --view view1 --drawing view1.svg");
     const std::string both =
         expect_done(desk, cube + "--views iso -o a.png --drawing wide.svg --sheet-width 90");
     EXPECT_THAT(both, AllOf(HasSubstr("wide.svg"), HasSubstr("behind contours")));
@@ -400,6 +404,8 @@ TEST(Truth, RefusesDrawingsThatCannotBe) {
     expect("--drawing a.svg --views top,iso", "one file has no room for 2 views");
     expect("--drawing a.svg --views 3", "one file has no room for 3 views");
     expect("--drawing none/a.svg", "its folder does not exist");
+    expect("--drawing a.png", "a name that ends in .svg");
+    expect_refused(desk, "truth missing.obj --drawing sheets", {"missing.obj"});
 }
 
 TEST(Truth, WeldEpsilonClosesCracksAndIsRecorded) {

@@ -18,6 +18,7 @@
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "experiment/experiment_plan.h"
+#include "harness/out_folder.h"
 #include "harness/tracing.h"
 #include "harness/view_images.h"
 
@@ -155,8 +156,9 @@ void run_truth(TruthArgs args, const CLI::App& command) {
         if (file) check_output_path(*file, {".png"});
     }
     const harness::ViewRequest request = view_request(args.views);
-    check_drawing_options(args.drawing, request);
+    check_drawing_options(args.drawing, request, args.view);
     harness::SceneViews scene_views = asked_views(args, request);
+    if (args.drawing.is_folder()) harness::make_out_folder(*args.drawing.place);
     if (args.is_drawing_alone()) return draw_alone(args, scene_views, options.truth);
     TracedView traced(std::move(scene_views), options);
     const scene::Scene& scene = traced.scene_views.scene;
