@@ -7,8 +7,6 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
-#include "scene/clusters.h"
-
 namespace ink::buffers {
 namespace {
 
@@ -49,10 +47,12 @@ void SurfaceInputs::prepare(const scene::PreparedScene& scene) {
 void SurfaceInputs::lay_out(const scene::PreparedScene& scene) {
     surface_ = flattened(scene);
     // With its surface, so that no other gets the address by which it is known.
-    const auto cut = scene.get(fmt::format("clusters {}", fmt::ptr(surface_.get())), [&] {
-        return std::pair(surface_, scene::make_clusters(*surface_));
+    const auto laid_out = scene.get(fmt::format("lanes {}", fmt::ptr(surface_.get())), [&] {
+        return std::pair(surface_, raster::LaneMesh(*surface_));
     });
-    mesh_ = raster::LaneMesh(*surface_, cut->second);
+    // A copy: where methods draw in turns, one that is shared would be in the caches, and the mesh
+    // of a method that has its own would not.
+    mesh_ = laid_out->second;
     bounds_ = scene.bounds();
     posed_hash_ = scene.hash();
     last_ = {};

@@ -3,11 +3,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <set>
 
 #include "scene/surface.h"
 #include "scene/topology.h"
 
 namespace ink::scene {
+namespace {
+
+/// The worth of what takes no room worth mentioning: it stays.
+constexpr std::int64_t kSmall = std::numeric_limits<std::int64_t>::max();
+
+struct Kept {
+    std::shared_ptr<const void> result;
+    std::int64_t made_ns = 0;
+    std::int64_t worth_ns = 0;  ///< the least goes first
+};
+
+}  // namespace
+
+/// Which results go when there are too many: GreedyDual (N. Young, "The k-server dual and loose
+/// competitiveness for paging", 1994). What goes takes its worth from all that stay, by raising the
+/// level from which those asked for later count.
+struct PreparedScene::Results {
+    std::size_t most = 0;
+    std::mutex mutex;
+    std::condition_variable is_made;
+    std::map<std::string, Kept> kept;
+    std::set<std::string> being_made;
+    std::int64_t level_ns = 0;
+};
+
+PreparedScene::PreparedScene(const Scene& scene, std::size_t most)
+    : scene_(scene), results_(std::make_shared<Results>()) {
+    results_->most = most;
+}
 
 Sphere PreparedScene::bounds() const {
     return *get("bounds", [&] { return bounding_sphere(scene_); });
@@ -32,17 +65,49 @@ std::shared_ptr<const Surface> PreparedScene::surface(NormalSource source,
                [&] { return flatten(*this, source, crease_rad); });
 }
 
-const PreparedScene::Kept* PreparedScene::find(const std::string& name) const {
-    const auto found = std::find_if(
-        kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.name == name; });
-    if (found == kept_.end()) return nullptr;
-    kept_.splice(kept_.begin(), kept_, found);
-    return &kept_.front();
+std::shared_ptr<const void> PreparedScene::find(const std::string& name) const {
+    Results& results = *results_;
+    std::unique_lock lock(results.mutex);
+    if (results.being_made.count(name) != 0) {
+        const auto start = std::chrono::steady_clock::now();
+        results.is_made.wait(lock, [&] { return results.being_made.count(name) == 0; });
+        const std::chrono::nanoseconds waited = std::chrono::steady_clock::now() - start;
+        saved_ns_ -= waited.count();
+    }
+    const auto found = results.kept.find(name);
+    if (found == results.kept.end()) {
+        results.being_made.insert(name);
+        return nullptr;
+    }
+    Kept& kept = found->second;
+    saved_ns_ += kept.made_ns;
+    kept.worth_ns = std::max(kept.worth_ns, results.level_ns + kept.made_ns);
+    return kept.result;
 }
 
-void PreparedScene::keep(Kept kept) const {
-    kept_.push_front(std::move(kept));
-    if (kept_.size() > most_) kept_.pop_back();
+void PreparedScene::keep(const std::string& name,
+                         std::shared_ptr<const void> result,
+                         std::int64_t made_ns,
+                         bool is_small) const {
+    Results& results = *results_;
+    const std::lock_guard lock(results.mutex);
+    while (!results.kept.empty() && results.kept.size() >= results.most) {
+        const auto least = std::min_element(
+            results.kept.begin(), results.kept.end(), [](const auto& a, const auto& b) {
+                return a.second.worth_ns < b.second.worth_ns;
+            });
+        if (least->second.worth_ns == kSmall) break;
+        results.level_ns = least->second.worth_ns;
+        results.kept.erase(least);
+    }
+    const std::int64_t worth_ns = is_small ? kSmall : results.level_ns + made_ns;
+    results.kept[name] = {std::move(result), made_ns, worth_ns};
+}
+
+void PreparedScene::stop_making(const std::string& name) const {
+    const std::lock_guard lock(results_->mutex);
+    results_->being_made.erase(name);
+    results_->is_made.notify_all();
 }
 
 }  // namespace ink::scene

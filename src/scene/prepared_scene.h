@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <list>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -22,14 +21,18 @@ struct Topology;
 /// is first asked for and kept for who asks next.
 ///
 /// The scene is borrowed and must not change meanwhile. A scene stands for itself with nothing made
-/// yet, so that whoever takes a PreparedScene takes a Scene, too. For one thread at a time.
+/// yet, so that whoever takes a PreparedScene takes a Scene, too. For one thread at a time; others
+/// have one of their own that shares the results (shared()).
 class PreparedScene {
   public:
-    /// Keeps the `most` results that were asked for last; who holds one of them may keep it longer.
-    PreparedScene(const Scene& scene, std::size_t most = std::numeric_limits<std::size_t>::max())
-        : scene_(scene), most_(most) {}
+    /// Keeps the `most` results that are worth most: those that took long to make, and were asked
+    /// for last. Who holds another may keep it longer.
+    PreparedScene(const Scene& scene, std::size_t most = std::numeric_limits<std::size_t>::max());
     PreparedScene(const PreparedScene&) = delete;
     PreparedScene& operator=(const PreparedScene&) = delete;
+
+    /// The same scene and results, for another thread. What one of them makes the others wait for.
+    [[nodiscard]] PreparedScene shared() const { return {scene_, results_}; }
 
     operator const Scene&() const { return scene_; }
     const Scene* operator->() const { return &scene_; }
@@ -49,15 +52,16 @@ class PreparedScene {
     template <class Make>
     [[nodiscard]] auto get(const std::string& name, Make make) const {
         using Result = std::decay_t<decltype(make())>;
-        if (const Kept* kept = find(name)) {
-            saved_ns_ += kept->made_ns;
-            return std::static_pointer_cast<const Result>(kept->result);
-        }
+        if (const auto known = find(name)) return std::static_pointer_cast<const Result>(known);
+        const Making making(*this, name);
         const auto start = std::chrono::steady_clock::now();
         const std::int64_t saved_before_ns = saved_ns_;
         auto made = std::make_shared<const Result>(make());
         const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - start;
-        keep({name, made, took.count() + saved_ns_ - saved_before_ns});
+        keep(name,
+             made,
+             took.count() + saved_ns_ - saved_before_ns,
+             std::is_trivially_copyable_v<Result>);
         return made;
     }
 
@@ -66,18 +70,34 @@ class PreparedScene {
     [[nodiscard]] std::int64_t saved_ns() const { return saved_ns_; }
 
   private:
-    struct Kept {
-        std::string name;
-        std::shared_ptr<const void> result;
-        std::int64_t made_ns = 0;
+    struct Results;
+
+    /// While a result is made, others wait for it; if it throws, the next of them makes it.
+    class Making {
+      public:
+        Making(const PreparedScene& scene, const std::string& name) : scene_(scene), name_(name) {}
+        ~Making() { scene_.stop_making(name_); }
+        Making(const Making&) = delete;
+        Making& operator=(const Making&) = delete;
+
+      private:
+        const PreparedScene& scene_;
+        const std::string& name_;
     };
 
-    [[nodiscard]] const Kept* find(const std::string& name) const;
-    void keep(Kept kept) const;
+    PreparedScene(const Scene& scene, std::shared_ptr<Results> results)
+        : scene_(scene), results_(std::move(results)) {}
+
+    /// The result, once nobody is making it; null if the caller is to make it.
+    [[nodiscard]] std::shared_ptr<const void> find(const std::string& name) const;
+    void keep(const std::string& name,
+              std::shared_ptr<const void> result,
+              std::int64_t made_ns,
+              bool is_small) const;
+    void stop_making(const std::string& name) const;
 
     const Scene& scene_;
-    std::size_t most_;
-    mutable std::list<Kept> kept_;  ///< the last asked for first
+    std::shared_ptr<Results> results_;
     mutable std::int64_t saved_ns_ = 0;
 };
 

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "catalogue/catalogue.h"
 #include "scene/surface.h"
@@ -39,16 +43,72 @@ TEST_F(Prepared, MakesEachOnceAndTellsSettingsApart) {
     EXPECT_NE(prepared_.topology(0.01), prepared_.topology());
 }
 
-TEST_F(Prepared, KeepsTheLastAskedFor) {
+/// Asks by name for what says how often it was made, and takes a while each time.
+class Asked {
+  public:
+    Asked(const Scene& scene, std::size_t most) : scene_(scene, most) {}
+
+    std::size_t operator()(const char* name, std::chrono::milliseconds takes) {
+        return scene_
+            .get(name,
+                 [&] {
+                     std::this_thread::sleep_for(takes);
+                     return std::vector<int>(static_cast<std::size_t>(++made_));
+                 })
+            ->size();
+    }
+
+  private:
+    PreparedScene scene_;
+    int made_ = 0;
+};
+
+TEST_F(Prepared, KeepsWhatTookLongUntilOthersWereAskedForAsLong) {
+    constexpr std::chrono::milliseconds kLong(40), kShort(1);
+    Asked ask(scene_, 2);
+    EXPECT_EQ(ask("long", kLong), 1U);
+    EXPECT_EQ(ask("short", kShort), 2U);
+    EXPECT_EQ(ask("other", kShort), 3U);  // the short one goes
+    EXPECT_EQ(ask("long", kLong), 1U);
+    EXPECT_EQ(ask("short", kShort), 4U);  // the other goes
+    for (int i = 0; i < 100; ++i)
+        (void)ask(i % 2 == 0 ? "other" : "short", kShort);
+    EXPECT_GT(ask("long", kLong), 4U);
+}
+
+TEST_F(Prepared, KeepsSmallOnes) {
     const PreparedScene few(scene_, 2);
     int made = 0;
     const auto ask = [&](const char* name) { return *few.get(name, [&] { return ++made; }); };
-    EXPECT_EQ(ask("a"), 1);
-    EXPECT_EQ(ask("b"), 2);
-    EXPECT_EQ(ask("a"), 1);
-    EXPECT_EQ(ask("c"), 3);  // b goes
-    EXPECT_EQ(ask("a"), 1);
-    EXPECT_EQ(ask("b"), 4);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(ask("a"), 1);
+        EXPECT_EQ(ask("b"), 2);
+        EXPECT_EQ(ask("c"), 3);
+    }
+}
+
+TEST_F(Prepared, IsMadeOnceForAllThatShareIt) {
+    std::atomic<int> made = 0;
+    const auto make = [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return ++made;
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) {
+        threads.emplace_back([&] {
+            const PreparedScene mine = prepared_.shared();
+            EXPECT_EQ(*mine.get("a", make), 1);
+        });
+    }
+    for (std::thread& thread : threads)
+        thread.join();
+    EXPECT_EQ(made, 1);
+}
+
+TEST_F(Prepared, IsMadeByTheNextIfMakingThrows) {
+    const auto fail = []() -> int { throw std::runtime_error("no"); };
+    EXPECT_THROW((void)prepared_.get("a", fail), std::runtime_error);
+    EXPECT_EQ(*prepared_.get("a", [] { return 7; }), 7);
 }
 
 TEST_F(Prepared, CountsWhatIsThereAsLongAsItTookWithAllThatIsInIt) {

@@ -4,14 +4,28 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace ink::raster {
 
 /// Plain numbers at an address that fits every vector register; grows, never shrinks, and keeps
-/// nothing when it grows beyond its capacity unless told to. Not copied: it is scratch.
+/// nothing when it grows beyond its capacity unless told to.
 template <class T>
 class AlignedArray {
   public:
+    AlignedArray() = default;
+    AlignedArray(const AlignedArray& other) {
+        resize(other.size_);
+        std::copy_n(other.data(), size_, data());
+    }
+    AlignedArray(AlignedArray&&) = default;
+    AlignedArray& operator=(AlignedArray other) {
+        std::swap(memory_, other.memory_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+        return *this;
+    }
+
     [[nodiscard]] T* data() { return memory_.get(); }
     [[nodiscard]] const T* data() const { return memory_.get(); }
     [[nodiscard]] std::size_t size() const { return size_; }
