@@ -72,19 +72,16 @@ std::string BlockWork::estimate() const {
     const double left = work_of(missing_);
     if (known_work_ <= 0) {
         constexpr double kFolder_s = 1;  // models are read, tables and page written
-        // The largest scene is one lane's, while the others end.
-        const std::vector<Group> groups = missing_groups();
-        const double longest = groups.empty() ? 0 : work_of(groups.front()) / kShareOfTwoLanes;
         return fmt::format("about {} by the size of scenes and images, on two idle cores",
-                           duration_text(std::max(left, longest) + kFolder_s));
+                           duration_text(left + kFolder_s));
     }
     return fmt::format("about {} by the {} finished blocks",
                        duration_text(left * known_s_ / known_work_),
                        wanted_.size() - missing_.size());
 }
 
-double BlockWork::work_of(const Group& group) const {
-    return std::accumulate(group.begin(), group.end(), 0.0, [&](double sum, std::size_t i) {
+double BlockWork::work_of(const std::vector<std::size_t>& blocks) const {
+    return std::accumulate(blocks.begin(), blocks.end(), 0.0, [&](double sum, std::size_t i) {
         return sum + plan_.blocks[i].work;
     });
 }
@@ -93,12 +90,12 @@ double BlockWork::work_of(const Group& group) const {
 std::vector<BlockWork::Group> BlockWork::missing_groups() const {
     std::map<std::size_t, Group> by_number;
     for (const std::size_t i : missing_)
-        if (const auto& group = plan_.blocks[i].group) by_number[*group].push_back(i);
+        if (const auto& group = plan_.blocks[i].group) by_number[*group].blocks.push_back(i);
     std::vector<Group> groups;
     for (auto& [number, blocks] : by_number)
         groups.push_back(std::move(blocks));
     std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) {
-        return work_of(a) > work_of(b);
+        return work_of(a.blocks) > work_of(b.blocks);
     });
     return groups;
 }
@@ -121,10 +118,12 @@ bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& sa
     say_ = &say;
     has_said_ = known_work_ > 0;
     start_ = Clock::now();
-    const std::vector<Group> groups = missing_groups();
+    std::vector<Group> groups = missing_groups();
+    std::size_t shared = 0;
+    for (const Group& group : groups)
+        shared += group.blocks.size();
     lanes_ = lanes > 0 ? std::min(lanes, lanes_) : lanes_;
-    lanes_ = std::clamp(lanes_, 1, std::max(1, static_cast<int>(groups.size())));
-    next_group_ = 0;
+    lanes_ = std::clamp(lanes_, 1, std::max(1, static_cast<int>(shared)));
     is_stopped_ = false;
     try_neighbours();
     core::run_lanes(lanes_, [&] { work_through(groups); });
@@ -134,28 +133,43 @@ bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& sa
     return missing_.empty();
 }
 
-/// Takes one group after the other, until all are taken or an end was asked for.
-void BlockWork::work_through(const std::vector<Group>& groups) {
-    for (;;) {
-        const Group* group = nullptr;
+/// The group whose next block a lane takes: its own, one that nobody has begun, or the one of which
+/// most blocks are left; null if all are taken.
+BlockWork::Group* BlockWork::next_group(std::vector<Group>& groups, Group* mine) const {
+    if (mine != nullptr && !mine->is_taken()) return mine;
+    const auto fresh = std::find_if(
+        groups.begin(), groups.end(), [](const Group& group) { return group.taken == 0; });
+    if (fresh != groups.end()) return &*fresh;
+    const auto left = [](const Group& group) { return group.blocks.size() - group.taken; };
+    const auto most =
+        std::max_element(groups.begin(), groups.end(), [&](const Group& a, const Group& b) {
+            return left(a) < left(b);
+        });
+    return most == groups.end() || most->is_taken() ? nullptr : &*most;
+}
+
+/// Takes one block after the other, until all are taken or an end was asked for.
+void BlockWork::work_through(std::vector<Group>& groups) {
+    for (Group* mine = nullptr;;) {
+        std::size_t block = 0;
         {
             const std::lock_guard lock(mutex_);
-            if (is_stopped_ || next_group_ == groups.size()) return;
-            group = &groups[next_group_++];
+            mine = next_group(groups, mine);
+            if (is_stopped_ || mine == nullptr) return;
+            block = mine->blocks[mine->taken++];
         }
         bool goes_on = false;
         try {
-            goes_on = std::all_of(
-                group->begin(), group->end(), [&](std::size_t block) { return compute(block); });
+            goes_on = compute(block);
         } catch (...) {
             const std::lock_guard lock(mutex_);
             is_stopped_ = true;
             throw;
         }
-        if (plan_.release) plan_.release(*plan_.blocks[group->front()].group);
-        if (goes_on) continue;
         const std::lock_guard lock(mutex_);
-        is_stopped_ = true;
+        if (!goes_on) is_stopped_ = true;
+        if (++mine->done == mine->blocks.size() && plan_.release)
+            plan_.release(*plan_.blocks[block].group);
     }
 }
 

@@ -25,10 +25,11 @@ struct Shard {
 
 /// The blocks of a run: which are wanted, which are there, and the work of computing the others.
 ///
-/// Groups of blocks run beside each other, each on a lane (core::run_lanes): some trace, draw and
-/// score their scenes while others do so with theirs. One lane is timed at a time
-/// (core::run_alone); where the others were found to disturb it, there is one lane. Blocks without
-/// a group come last and run alone. Borrows plan and store.
+/// Blocks of groups run beside each other on lanes (core::run_lanes): some trace, draw and score
+/// while others do. A lane takes a group of its own while there is one, and then blocks of groups
+/// that others have begun. One lane is timed at a time (core::run_alone); where the others were
+/// found to disturb it, there is one lane. Blocks without a group come last and run alone. Borrows
+/// plan and store.
 class BlockWork {
   public:
     BlockWork(const Plan& plan, const BlockStore& store, std::vector<std::size_t> wanted);
@@ -51,13 +52,21 @@ class BlockWork {
     [[nodiscard]] std::vector<std::string> missing_of_plan() const;
 
   private:
-    using Group = std::vector<std::size_t>;
+    /// The missing blocks of a scene, in the order of the plan.
+    struct Group {
+        std::vector<std::size_t> blocks;
+        std::size_t taken = 0;
+        std::size_t done = 0;
+
+        [[nodiscard]] bool is_taken() const { return taken == blocks.size(); }
+    };
 
     [[nodiscard]] std::string estimate() const;
     [[nodiscard]] std::vector<Group> missing_groups() const;
     void try_neighbours();
-    [[nodiscard]] double work_of(const Group& group) const;
-    void work_through(const std::vector<Group>& groups);
+    [[nodiscard]] double work_of(const std::vector<std::size_t>& blocks) const;
+    void work_through(std::vector<Group>& groups);
+    [[nodiscard]] Group* next_group(std::vector<Group>& groups, Group* mine) const;
     [[nodiscard]] bool compute(std::size_t block);
     void note(std::size_t block, double seconds);
 
@@ -73,7 +82,6 @@ class BlockWork {
 
     // What lanes share while they work; all above belongs to it, too.
     std::mutex mutex_;
-    std::size_t next_group_ = 0;
     bool is_stopped_ = false;
     bool has_said_ = false;
     core::Progress* progress_ = nullptr;

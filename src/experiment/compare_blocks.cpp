@@ -1,6 +1,7 @@
 #include "experiment/compare_blocks.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
 
 #include "experiment/stage_times.h"
@@ -54,7 +55,9 @@ std::vector<harness::Evaluation> draw(ViewBench& bench,
     return harness::draw_view(drawings, measure);
 }
 
-const harness::TracedView& trace(ViewBench& bench, const BlockPlace& at, StageTimes& stages) {
+std::shared_ptr<const harness::TracedView> trace(ViewBench& bench,
+                                                 const BlockPlace& at,
+                                                 StageTimes& stages) {
     const StageTimer timer(stages, WorkStage::truth);
     return bench.traced(at.scene, *at.view);
 }
@@ -100,20 +103,25 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     harness::CellOptions options = bench.cell_options(at.threads);
     options.scores = is_full ? harness::Scores::full : harness::Scores::brief;
     BlockResult result;
-    const harness::TracedView& traced = trace(bench, at, result.stages);
+    const std::shared_ptr<const harness::TracedView> held = trace(bench, at, result.stages);
+    const harness::TracedView& traced = *held;
     const bool keeps_images = at.keeps_images && traced.has_truth();
     Layers layers;
     // The same methods come again with the next view.
     const auto ready = [&](std::size_t first, std::size_t) {
         return bench.methods(at.scene, first);
     };
-    std::vector<harness::Evaluation> evaluations = draw(bench,
-                                                        at,
-                                                        bench.configs().size(),
-                                                        ready,
-                                                        options.measure,
-                                                        result.stages,
-                                                        keeps_images ? &layers : nullptr);
+    std::vector<harness::Evaluation> evaluations;
+    {
+        const auto methods = bench.hold_methods(at.scene);
+        evaluations = draw(bench,
+                           at,
+                           bench.configs().size(),
+                           ready,
+                           options.measure,
+                           result.stages,
+                           keeps_images ? &layers : nullptr);
+    }
     finish(scene, at, traced, options, evaluations, result.stages);
     if (is_full && traced.has_truth()) explain(bench, at, traced.truth, evaluations, result);
     harness::check_baselines(evaluations, result.faults);
@@ -151,8 +159,8 @@ BlockResult run_settings(ViewBench& bench,
     };
     std::vector<harness::Evaluation> evaluations =
         draw(bench, at, part.settings.size(), ready, options.measure, result.stages);
-    const harness::TracedView& traced = trace(bench, at, result.stages);
-    finish(bench.scenes()[at.scene], at, traced, options, evaluations, result.stages);
+    const auto traced = trace(bench, at, result.stages);
+    finish(bench.scenes()[at.scene], at, *traced, options, evaluations, result.stages);
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
     for (std::size_t i = 0; i < part.settings.size(); ++i) {
         if (!bench.experiment().times) clear_times(evaluations[i].row);

@@ -66,13 +66,21 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     return options;
 }
 
-const harness::TracedView& ViewBench::traced(std::size_t scene, const scene::View& view) {
+std::shared_ptr<const harness::TracedView> ViewBench::traced(std::size_t scene,
+                                                             const scene::View& view) {
     Desk& desk = desk_of(scene);
-    if (desk.traced_view != &view) {
-        desk.traced = harness::trace_with_facts(*desk.model, scenes_[scene], view, trace_);
-        desk.traced_view = &view;
+    const std::lock_guard lock(desk.tracing);
+    auto& [last, before] = desk.traced;
+    if (last.view != &view) {
+        std::swap(last, before);
+        if (last.view != &view) {
+            last = {};
+            last = {&view,
+                    std::make_shared<harness::TracedView>(
+                        harness::trace_with_facts(*desk.model, scenes_[scene], view, trace_))};
+        }
     }
-    return desk.traced;
+    return last.truth;
 }
 
 harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
@@ -81,6 +89,10 @@ harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
 
 std::size_t ViewBench::most_at_once(std::size_t scene) const {
     return harness::most_at_once(scenes_[scene], triangles_at_once_);
+}
+
+std::unique_lock<std::mutex> ViewBench::hold_methods(std::size_t scene) {
+    return std::unique_lock(desk_of(scene).using_methods);
 }
 
 std::shared_ptr<harness::PreparedMethods> ViewBench::methods(std::size_t scene, std::size_t first) {
@@ -99,12 +111,19 @@ std::shared_ptr<harness::PreparedMethods> ViewBench::methods(std::size_t scene, 
 std::shared_ptr<harness::PreparedMethods> ViewBench::prepared(
     std::span<const method::MethodConfig> configs, std::size_t scene) {
     return std::make_shared<harness::PreparedMethods>(
-        harness::prepare_methods(configs, *desk_of(scene).prepared));
+        harness::prepare_methods(configs, desk_of(scene).prepared->shared()));
+}
+
+void ViewBench::release(std::size_t scene) {
+    const std::lock_guard lock(desks_mutex_);
+    desks_[scene] = nullptr;
 }
 
 ViewBench::Desk& ViewBench::desk_of(std::size_t scene) {
-    Desk& desk = desks_[scene];
-    if (desk.model) return desk;
+    const std::lock_guard lock(desks_mutex_);
+    if (desks_[scene]) return *desks_[scene];
+    desks_[scene] = std::make_unique<Desk>();
+    Desk& desk = *desks_[scene];
     truth::TruthOptions options = trace_.truth;
     options.threads = std::min(options.threads, core::share_of_threads());
     desk.model = std::make_unique<truth::SceneModel>(scenes_[scene], options);

@@ -90,6 +90,7 @@ MissPredictor::MissPredictor(const scene::Scene& scene)
     : scene_(scene), bounds_(scene::bounding_sphere(scene)) {}
 
 const scene::Surface& MissPredictor::surface(const method::CodeInputs& inputs) {
+    const std::lock_guard lock(mutex_);
     const auto [place, is_new] = surfaces_.try_emplace({inputs.normals, inputs.crease_rad});
     if (is_new) place->second = scene::flatten(scene_, inputs.normals, inputs.crease_rad);
     return place->second;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,7 +27,8 @@ struct Declaration {
 /// Predicts from truth geometry and a declared code alone (never from a method's image) why a
 /// line was missed.
 ///
-/// Keeps a scene's surface for each kind of normals that codes ask for. Borrows the scene.
+/// Keeps a scene's surface for each kind of normals that codes ask for. Borrows the scene. Several
+/// threads may ask it.
 class MissPredictor {
   public:
     explicit MissPredictor(const scene::Scene& scene);
@@ -61,6 +63,7 @@ class MissPredictor {
 
     const scene::Scene& scene_;
     scene::Sphere bounds_;
+    std::mutex mutex_;  ///< of the surfaces
     std::map<std::pair<scene::NormalSource, double>, scene::Surface> surfaces_;
 };
 

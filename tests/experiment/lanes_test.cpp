@@ -1,4 +1,4 @@
-// Scenes beside each other, each on a lane, against one after the other.
+// Blocks beside each other on lanes, of many scenes and of one, against one after the other.
 
 #include <gtest/gtest.h>
 
@@ -39,20 +39,31 @@ class Lanes : public testing::Test {
         return options.out;
     }
 
+    /// On many lanes as on one.
+    void expect_same_bytes(const Experiment& experiment) {
+        const fs::path one = run(experiment, 1);
+        const fs::path many = run(experiment, core::hardware_threads());
+        for (const auto& entry : fs::recursive_directory_iterator(one)) {
+            const fs::path name = fs::relative(entry.path(), one);
+            if (!entry.is_regular_file() || name == "run.toml") continue;
+            const auto bytes = core::read_whole_file(many / name);
+            ASSERT_TRUE(bytes) << name;
+            EXPECT_TRUE(*bytes == core::read_whole_file(entry.path())) << name;
+        }
+    }
+
     const core::TempFolder folder_;
 };
 
 TEST_F(Lanes, WriteTheSameBytesWithoutTimes) {
-    const Experiment experiment = small_comparison(false);
-    const fs::path one = run(experiment, 1);
-    const fs::path many = run(experiment, core::hardware_threads());
-    for (const auto& entry : fs::recursive_directory_iterator(one)) {
-        const fs::path name = fs::relative(entry.path(), one);
-        if (!entry.is_regular_file() || name == "run.toml") continue;
-        const auto bytes = core::read_whole_file(many / name);
-        ASSERT_TRUE(bytes) << name;
-        EXPECT_TRUE(*bytes == core::read_whole_file(entry.path())) << name;
-    }
+    expect_same_bytes(small_comparison(false));
+}
+
+TEST_F(Lanes, ShareAScene) {
+    Experiment experiment = small_comparison(false);
+    experiment.scenes = {"gear"};
+    experiment.views = 3;
+    expect_same_bytes(experiment);
 }
 
 TEST_F(Lanes, HaveTheSameRowsButForTimes) {
