@@ -1,6 +1,8 @@
 // New here: no method of its own, but the one of the registry that the scene's statistics call for
 // (auto_plan.h).
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
 #include <glm/trigonometric.hpp>
@@ -68,8 +70,10 @@ class Auto : public method::Method {
     bool choose(const scene::PreparedScene& scene) {
         const std::string before = plan_.method;
         planned_hash_ = scene.hash();
-        plan_ = plan_scene(scene::make_scene_statistics(scene, glm::radians(params_.crease_deg)),
-                           params_.times_ids());
+        const auto statistics = scene.get(
+            fmt::format("scene statistics {}", params_.crease_deg),
+            [&] { return scene::make_scene_statistics(scene, glm::radians(params_.crease_deg)); });
+        plan_ = plan_scene(*statistics, params_.times_ids());
         if (plan_.method == before) return false;
         const auto all = table().write(params_);
         chosen_ =
