@@ -92,7 +92,8 @@ class LabelPass : public buffers::ConstantPass {
         // Apart by the threshold and what rounding may add: |L| <= 2 on a plane.
         const std::vector<std::uint32_t> of_faces =
             patch_labels(mesh, {.bits = bits, .least_difference = params_.threshold + 3});
-        const std::vector<std::uint32_t> face_of = faces_of_triangles(scene, mesh.topology);
+        const auto faces = faces_of_triangles(scene, mesh, params_.weld_epsilon);
+        const std::vector<std::uint32_t>& face_of = *faces;
         std::vector<std::uint32_t> labels(face_of.size(), 0);
         for (std::size_t t = 0; t < labels.size(); ++t) {
             if (face_of[t] != SmoothMesh::kNone) labels[t] = of_faces[face_of[t]];

@@ -339,8 +339,10 @@ std::shared_ptr<const SmoothMesh> make_smooth_mesh(const scene::PreparedScene& s
     return scene.get(name, [&] { return cut_into_patches(scene, options); });
 }
 
-std::vector<std::uint32_t> faces_of_triangles(const scene::PreparedScene& scene,
-                                              const scene::Topology& topology) {
+namespace {
+
+std::vector<std::uint32_t> find_faces(const scene::PreparedScene& scene,
+                                      const scene::Topology& topology) {
     std::vector<std::uint32_t> face_of(scene::triangle_count(scene), SmoothMesh::kNone);
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f)
         face_of[topology.faces[f].triangle] = f;
@@ -354,42 +356,56 @@ std::vector<std::uint32_t> faces_of_triangles(const scene::PreparedScene& scene,
         return p;
     };
     // Only places of triangles that became no face: they are few. Which faces have a corner there?
-    std::unordered_map<glm::dvec3, std::vector<std::uint32_t>, PlaceHash> faces_at;
+    struct Left {
+        std::uint32_t triangle = 0;
+        std::array<std::uint32_t, 3> places{};
+    };
+    std::unordered_map<glm::dvec3, std::uint32_t, PlaceHash> numbers;
+    std::vector<Left> left;
     for (std::uint32_t t = 0; t < face_of.size(); ++t) {
         if (face_of[t] != SmoothMesh::kNone) continue;
-        for (const glm::dvec3& p : places(t))
-            faces_at.try_emplace(p);
+        Left& one = left.emplace_back(Left{t, {}});
+        const auto p = places(t);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto next = static_cast<std::uint32_t>(numbers.size());
+            one.places[i] = numbers.try_emplace(p[i], next).first->second;
+        }
     }
+    std::vector<std::vector<std::uint32_t>> faces_at(numbers.size());
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
         for (const glm::dvec3& p : places(topology.faces[f].triangle)) {
-            const auto found = faces_at.find(p);
-            if (found != faces_at.end()) found->second.push_back(f);
+            const auto found = numbers.find(p);
+            if (found != numbers.end()) faces_at[found->second].push_back(f);
         }
     }
-    std::vector<std::uint32_t> left;
-    for (std::uint32_t t = 0; t < face_of.size(); ++t)
-        if (face_of[t] == SmoothMesh::kNone) left.push_back(t);
     // Where welding left no area of many triangles together, those inside follow those round them.
     while (!left.empty()) {
-        std::vector<std::uint32_t> found, still;
-        for (const std::uint32_t t : left) {
+        std::vector<Left> found, still;
+        for (const Left& one : left) {
             // The face that shares most corners with it, the first of those that share as many.
             std::vector<std::uint32_t> met;
-            for (const glm::dvec3& p : places(t)) {
-                const auto& faces = faces_at[p];
-                met.insert(met.end(), faces.begin(), faces.end());
-            }
-            face_of[t] = most_frequent(std::move(met));
-            (face_of[t] == SmoothMesh::kNone ? still : found).push_back(t);
+            for (const std::uint32_t place : one.places)
+                met.insert(met.end(), faces_at[place].begin(), faces_at[place].end());
+            std::uint32_t& face = face_of[one.triangle];
+            face = most_frequent(std::move(met));
+            (face == SmoothMesh::kNone ? still : found).push_back(one);
         }
         if (found.empty()) break;
-        for (const std::uint32_t t : found) {
-            for (const glm::dvec3& p : places(t))
-                faces_at[p].push_back(face_of[t]);
+        for (const Left& one : found) {
+            for (const std::uint32_t place : one.places)
+                faces_at[place].push_back(face_of[one.triangle]);
         }
         left = std::move(still);
     }
     return face_of;
+}
+
+}  // namespace
+
+std::shared_ptr<const std::vector<std::uint32_t>> faces_of_triangles(
+    const scene::PreparedScene& scene, const SmoothMesh& mesh, double weld_epsilon) {
+    return scene.get(fmt::format("faces of triangles {}", weld_epsilon),
+                     [&] { return find_faces(scene, mesh.topology); });
 }
 
 }  // namespace ink::methods

@@ -52,8 +52,9 @@ struct SmoothMesh {
     const scene::PreparedScene& scene, const buffers::PatchOptions& options);
 
 /// Per triangle of the scene the face that it is, or that it repeats, or that lies beside it where
-/// welding left no area of it, or of all round it; kNone where nothing does.
-[[nodiscard]] std::vector<std::uint32_t> faces_of_triangles(const scene::PreparedScene& scene,
-                                                            const scene::Topology& topology);
+/// welding left no area of it, or of all round it; kNone where nothing does. `mesh` is the scene's,
+/// welded with that epsilon.
+[[nodiscard]] std::shared_ptr<const std::vector<std::uint32_t>> faces_of_triangles(
+    const scene::PreparedScene& scene, const SmoothMesh& mesh, double weld_epsilon);
 
 }  // namespace ink::methods

@@ -139,8 +139,7 @@ std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
 void SurfaceCodes::prepare(const scene::PreparedScene& scene) {
     const auto lay_out = [&](const scene::PreparedScene& resting) {
         mesh_ = make_smooth_mesh(resting, options_.patches);
-        face_of_ = *resting.get(fmt::format("faces of triangles {}", options_.patches.weld_epsilon),
-                                [&] { return faces_of_triangles(resting, mesh_->topology); });
+        face_of_ = *faces_of_triangles(resting, *mesh_, options_.patches.weld_epsilon);
     };
     if (!scene->animation) return lay_out(scene);
     scene::Scene resting = scene;

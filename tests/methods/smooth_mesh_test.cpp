@@ -121,7 +121,7 @@ TEST(SmoothMesh, TrianglesThatWeldingLeftNoAreaFollowThoseRoundThem) {
     const scene::Scene scene = scene_of({mesh});
     const SmoothMesh smooth = *make_smooth_mesh(scene, kOptions);
     EXPECT_LT(smooth.face_count(), mesh.triangles.size());
-    for (const std::uint32_t face : faces_of_triangles(scene, smooth.topology))
+    for (const std::uint32_t face : *faces_of_triangles(scene, smooth, kOptions.weld_epsilon))
         EXPECT_NE(face, SmoothMesh::kNone);
 }
 
