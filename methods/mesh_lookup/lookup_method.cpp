@@ -159,9 +159,13 @@ void LookupPass::prepare(const scene::PreparedScene& scene) {
 }
 
 std::vector<std::uint32_t> LookupPass::constants_of(const scene::PreparedScene& scene) {
-    mesh_ = make_lookup_mesh(
-        scene,
-        {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
+    // A copy: where methods draw in turns, one that is shared would be in the caches.
+    mesh_ =
+        *scene.get(fmt::format("lookup mesh {} {}", params_.crease_deg, params_.weld_epsilon), [&] {
+            return make_lookup_mesh(scene,
+                                    {.crease_rad = glm::radians(params_.crease_deg),
+                                     .weld_epsilon = params_.weld_epsilon});
+        });
     return coded_ ? words_of(scene) : mesh_.face_of_triangle;
 }
 
