@@ -18,7 +18,9 @@ struct DrawingOptions {
     std::optional<double> sheet_width_mm;
 
     [[nodiscard]] bool is_folder() const {
-        return place && std::filesystem::path(*place).extension().empty();
+        if (!place) return false;
+        const std::filesystem::path path(*place);
+        return path.extension().empty() || std::filesystem::is_directory(path);
     }
 };
 

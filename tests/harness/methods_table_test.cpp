@@ -65,7 +65,7 @@ TEST(MethodsTable, BytesFollowTheSettingsAndAreEmptyWhereTheSceneDecides) {
     EXPECT_THAT(lines_of(methods_csv(methods::make_configs("mote4", {"depth_format=z16"}))).at(5),
                 HasSubstr("threshold:1..64,3,,"));
     EXPECT_THAT(lines_of(methods_csv(methods::make_configs("auto", {}))).at(5),
-                StartsWith("auto,method,packed,up,threshold:1..255,,,"));
+                StartsWith("auto,method,other,up,threshold:1..255,,,"));
 }
 
 TEST(MethodsTable, HasALinePerConfigOfARun) {
