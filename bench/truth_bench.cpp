@@ -158,7 +158,7 @@ struct Stage {
         : view(bench_views(bench_scene(mesh))[0]),
           model(truth::build_model(bench_scene(mesh), {})),
           eye(model, view, 1),
-          scene(model.topology, view.camera.eye_world, 1) {}
+          scene(model.topology, view.camera, 1) {}
 };
 
 void time_eye(benchmark::State& state, const std::string& mesh) {
@@ -175,11 +175,11 @@ void time_eye(benchmark::State& state, const std::string& mesh) {
 void time_bvh(benchmark::State& state, const std::string& mesh) {
     const Stage stage(mesh);
     for (auto _ : state) {
-        const truth::EyeScene tree(stage.model.topology, stage.view.camera.eye_world, 1);
+        const truth::EyeScene tree(stage.model.topology, stage.view.camera, 1);
         benchmark::DoNotOptimize(&tree);
     }
     // A tree shows no bits of its own: what it says of every pixel stands for it.
-    const truth::EyeScene tree(stage.model.topology, stage.view.camera.eye_world, 1);
+    const truth::EyeScene tree(stage.model.topology, stage.view.camera, 1);
     state.SetLabel(core::image_hash(truth::trace_layers(stage.eye, tree, 1).layers.triangle));
 }
 

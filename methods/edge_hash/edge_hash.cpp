@@ -75,8 +75,8 @@ EdgeHash::EdgeHash(const Params& params)
 void EdgeHash::prepare(const scene::PreparedScene& scene) {
     models_.prepare(scene);
     SurfaceMethod::prepare(scene);
-    eye_world_.reset();
-    before_world_.reset();
+    eye_.reset();
+    before_.reset();
 }
 
 void EdgeHash::pose(const scene::PreparedScene& scene) {
@@ -85,10 +85,10 @@ void EdgeHash::pose(const scene::PreparedScene& scene) {
 }
 
 /// Drawing one view again does not make its eye an old one, so that it gives the same image.
-glm::dvec3 EdgeHash::eye_of(const scene::Camera& camera) {
-    if (eye_world_ && *eye_world_ != camera.eye_world) before_world_ = eye_world_;
-    eye_world_ = camera.eye_world;
-    return params_.eye == Eye::stale && before_world_ ? *before_world_ : camera.eye_world;
+scene::Viewpoint EdgeHash::eye_of(const scene::Camera& camera) {
+    if (eye_ && *eye_ != camera.viewpoint()) before_ = eye_;
+    eye_ = camera.viewpoint();
+    return params_.eye == Eye::stale && before_ ? *before_ : camera.viewpoint();
 }
 
 DebugImage EdgeHash::debug_image(const method::Frame& frame) {

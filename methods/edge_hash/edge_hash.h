@@ -57,12 +57,12 @@ class EdgeHash : public buffers::HiddenLinesMethod {
     std::vector<buffers::KnownEdge> lines(const method::Frame& frame) override {
         return models_.lines(eye_of(frame.view.camera));
     }
-    [[nodiscard]] glm::dvec3 eye_of(const scene::Camera& camera);
+    [[nodiscard]] scene::Viewpoint eye_of(const scene::Camera& camera);
 
     Params params_;
     SoupModels models_;
-    std::optional<glm::dvec3> eye_world_;     ///< of the last draw
-    std::optional<glm::dvec3> before_world_;  ///< of the last one that stood elsewhere
+    std::optional<scene::Viewpoint> eye_;     ///< of the last draw
+    std::optional<scene::Viewpoint> before_;  ///< of the last one that stood elsewhere
 };
 
 }  // namespace ink::methods

@@ -22,7 +22,9 @@ glm::dvec3 inward(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& op
 /// Of several faces on one side of an edge the one that the eye sees.
 class Nearest {
   public:
-    Nearest(const std::vector<glm::dvec3>& p_world, const SoupEdge& edge, const glm::dvec3& eye)
+    Nearest(const std::vector<glm::dvec3>& p_world,
+            const SoupEdge& edge,
+            const scene::Viewpoint& eye)
         : p_(p_world), edge_(edge), eye_(eye) {}
 
     void offer(const EdgeFace& face) {
@@ -39,7 +41,7 @@ class Nearest {
 
     const std::vector<glm::dvec3>& p_;
     const SoupEdge& edge_;
-    const glm::dvec3& eye_;
+    const scene::Viewpoint& eye_;
     const EdgeFace* face_ = nullptr;
 };
 
@@ -157,13 +159,13 @@ void SoupModels::pose(const scene::PreparedScene& scene) {
 buffers::EdgeKind SoupModels::kind_of(const Placed& placed,
                                       std::size_t edge_index,
                                       const std::vector<std::int8_t>& facings,
-                                      const glm::dvec3& eye_world) const {
+                                      const scene::Viewpoint& eye) const {
     const SoupEdge& edge = placed.soup->edges[edge_index];
     const auto faces = placed.soup->faces_of(edge);
     if (faces.size() == 1) return buffers::EdgeKind::boundary;
     // A face that the eye sees from the front lies on the left of a side that runs through it
     // forwards; one that is edge-on lies on neither side.
-    Nearest left(placed.p_world, edge, eye_world), right = left;
+    Nearest left(placed.p_world, edge, eye), right = left;
     for (const EdgeFace& face : faces) {
         const int side = facings[face.face] * face.direction;
         if (side > 0) left.offer(face);
@@ -176,16 +178,16 @@ buffers::EdgeKind SoupModels::kind_of(const Placed& placed,
     return is_crease ? buffers::EdgeKind::crease : buffers::EdgeKind::none;
 }
 
-std::vector<buffers::KnownEdge> SoupModels::lines(const glm::dvec3& eye_world) const {
+std::vector<buffers::KnownEdge> SoupModels::lines(const scene::Viewpoint& eye) const {
     std::vector<buffers::KnownEdge> lines;
     std::vector<std::int8_t> facings;
     for (const Placed& placed : placed_) {
         const auto& p = placed.p_world;
         facings.clear();
         for (const auto& [a, b, c] : placed.soup->faces)
-            facings.push_back(static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye_world)));
+            facings.push_back(static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye)));
         for (std::size_t e = 0; e < placed.soup->edges.size(); ++e) {
-            const buffers::EdgeKind kind = kind_of(placed, e, facings, eye_world);
+            const buffers::EdgeKind kind = kind_of(placed, e, facings, eye);
             const SoupEdge& edge = placed.soup->edges[e];
             if (kind != buffers::EdgeKind::none) lines.push_back({p[edge.a], p[edge.b], kind});
         }

@@ -92,8 +92,8 @@ class SoupModels {
     /// Finds each model's frame, or builds it; world positions, creases.
     void pose(const scene::PreparedScene& scene);
 
-    /// The edges that are a line for an eye at `eye_world`, in no order that matters.
-    [[nodiscard]] std::vector<buffers::KnownEdge> lines(const glm::dvec3& eye_world) const;
+    /// The edges that are a line for an eye at `eye`, in no order that matters.
+    [[nodiscard]] std::vector<buffers::KnownEdge> lines(const scene::Viewpoint& eye) const;
 
     [[nodiscard]] const EdgeCacheCounts& cache_counts() const { return cache_.counts(); }
     [[nodiscard]] SoupTotals totals() const;
@@ -116,7 +116,7 @@ class SoupModels {
     [[nodiscard]] buffers::EdgeKind kind_of(const Placed& placed,
                                             std::size_t edge,
                                             const std::vector<std::int8_t>& facings,
-                                            const glm::dvec3& eye_world) const;
+                                            const scene::Viewpoint& eye) const;
 
     Options options_;
     EdgeCache cache_;

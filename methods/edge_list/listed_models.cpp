@@ -173,7 +173,7 @@ std::vector<buffers::KnownEdge> ListedModels::lines(const scene::Camera& camera,
             const auto& p = placed.p_world;
             facings.push_back(
                 facing == FacingRule::position
-                    ? static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], camera.eye_world))
+                    ? static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], camera.viewpoint()))
                     : sign(glm::dot(placed.normals[f], back_world)));
         }
         append_lines(placed, facings, edge_on, lines);

@@ -13,6 +13,12 @@
 namespace ink::methods {
 namespace {
 
+/// The least step of q = 1/distance that is a border: of_q q + constant.
+struct DepthStep {
+    bool is_asked;
+    float of_q, constant;
+};
+
 /// A sample and how to reach those beside it.
 struct Sample {
     const std::uint32_t* id;
@@ -20,13 +26,14 @@ struct Sample {
 
     /// Whether a border runs between this sample and that `step` away: another id, or a step of
     /// depth of more than `depth_step` of the nearer's 1 / distance.
-    [[nodiscard]] bool has_border(std::ptrdiff_t step, float depth_step) const {
+    [[nodiscard]] bool has_border(std::ptrdiff_t step, const DepthStep& least) const {
         if (id[0] != id[step]) return true;
-        return depth_step > 0 && std::abs(q[step] - q[0]) > depth_step * std::max(q[0], q[step]);
+        return least.is_asked &&
+               std::abs(q[step] - q[0]) > least.of_q * std::max(q[0], q[step]) + least.constant;
     }
     /// Whether this sample owns such a border: the nearer does, the lower id if they are as near.
-    [[nodiscard]] bool owns_border(std::ptrdiff_t step, float depth_step) const {
-        if (!has_border(step, depth_step)) return false;
+    [[nodiscard]] bool owns_border(std::ptrdiff_t step, const DepthStep& least) const {
+        if (!has_border(step, least)) return false;
         return q[0] > q[step] || (q[0] == q[step] && id[0] < id[step]);
     }
 };
@@ -58,25 +65,31 @@ class IdsDepth : public buffers::IdMethod {
     }
     void draw_borders(const raster::Tile& drawn, edge::EdgeImage& out) const {
         if (drawn.is_empty) return buffers::clear_tile(drawn, out);
-        const auto depth_step = static_cast<float>(params_.depth_step);
+        const scene::DepthSlope slope =
+            params_.depth_step * scene::Projection(pass().inputs().view()).q_per_distance();
+        const DepthStep least{params_.depth_step > 0,
+                              static_cast<float>(slope.of_q),
+                              static_cast<float>(slope.constant)};
         const raster::Tile tile = buffers::output_tile(drawn, out.width_px(), out.height_px());
         for (int y = 0; y < tile.height_px; ++y) {
             const auto* id = tile.row<std::uint32_t>(0, y);
             const auto* q = tile.depth_row<float>(y);
             std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
             for (int x = 0; x < tile.width_px; ++x)
-                to[x] = is_line({id + x, q + x}, tile.stride, depth_step) ? 255 : 0;
+                to[x] = is_line({id + x, q + x}, tile.stride, least) ? 255 : 0;
         }
     }
-    [[nodiscard]] bool is_line(const Sample& at, std::ptrdiff_t down, float depth_step) const {
+    [[nodiscard]] bool is_line(const Sample& at,
+                               std::ptrdiff_t down,
+                               const DepthStep& least) const {
         if (params_.samples == buffers::Samples::corner) {
             const Sample across{at.id + 1 + down, at.q + 1 + down};
-            return at.has_border(1, depth_step) || at.has_border(down, depth_step) ||
-                   across.has_border(-1, depth_step) || across.has_border(-down, depth_step);
+            return at.has_border(1, least) || at.has_border(down, least) ||
+                   across.has_border(-1, least) || across.has_border(-down, least);
         }
         const auto asks = [&](std::ptrdiff_t step) {
-            return params_.side == buffers::BorderSide::both ? at.has_border(step, depth_step)
-                                                             : at.owns_border(step, depth_step);
+            return params_.side == buffers::BorderSide::both ? at.has_border(step, least)
+                                                             : at.owns_border(step, least);
         };
         return asks(1) || asks(-1) || asks(down) || asks(-down);
     }

@@ -98,8 +98,8 @@ class InvertedHull : public buffers::SurfaceMethod<buffers::DepthFill> {
                 const glm::dvec3& p = surface.p_world[i];
                 double length = length_world;
                 if (is_screen) {
-                    const double w = std::max(-projection.to_view(p).z, camera.near);
-                    length = params_.width_px * w / projection.focal_px();
+                    const double w = std::max(projection.to_clip(p).z, camera.near);
+                    length = params_.width_px / projection.px_per_world(w);
                 }
                 hull_.p_world[i] = p + length * glm::dvec3(surface.n_world[i]);
             }

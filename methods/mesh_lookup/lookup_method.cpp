@@ -209,10 +209,12 @@ void LookupPass::follow_view(const method::Frame& frame) {
                 {.crease_rad = glm::radians(params_.crease_deg), .most_steps = params_.steps},
                 frame.threads);
     if (!coded_) return;
-    const double focal_px = scene::Projection(view).focal_px();
-    rule_ = {.jump = static_cast<float>(coded_->jump_px / focal_px),
-             .flat = static_cast<float>(kFlat_px / focal_px),
-             .trust = coded_->trust};
+    const scene::DepthSlope px = scene::Projection(view).q_per_px();
+    const auto bend = [&](double length_px) {
+        const scene::DepthSlope least = length_px * px;
+        return CodeRule::Bend{static_cast<float>(least.of_q), static_cast<float>(least.constant)};
+    };
+    rule_ = {.jump = bend(coded_->jump_px), .flat = bend(kFlat_px), .trust = coded_->trust};
 }
 
 raster::SkipCounts LookupMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {

@@ -8,6 +8,7 @@
 #include "edge/vector_loops.inl"
 #include "methods/mesh_lookup/screen_kernel.h"
 #include "raster/pass/screen_vertex.h"
+#include "raster/pass/view_lanes.inl"
 #include "scene/predicates.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,17 +40,10 @@ void project(std::span<const glm::dvec3> p_world,
     for (; i + lanes <= p_world.size(); i += lanes) {
         decltype(hn::Zero(d)) x, y, z;
         hn::LoadInterleaved3(d, &p_world[i].x, x, y, z);
-        x = hn::Sub(x, hn::Set(d, transform.eye[0]));
-        y = hn::Sub(y, hn::Set(d, transform.eye[1]));
-        z = hn::Sub(z, hn::Set(d, transform.eye[2]));
-        const auto row = [&](int r) HWY_ATTR {
-            const double* const m = transform.rows[r];
-            return hn::Add(hn::Add(hn::Mul(hn::Set(d, m[0]), x), hn::Mul(hn::Set(d, m[1]), y)),
-                           hn::Mul(hn::Set(d, m[2]), z));
-        };
-        const auto w = row(2);
+        const auto clip = raster::HWY_NAMESPACE::clip_lanes(d, transform, x, y, z);
+        const auto w = clip.w;
         const auto inv_w = hn::Div(hn::Set(d, 1.0), w);
-        const auto x_px = hn::Mul(row(0), inv_w), y_px = hn::Mul(row(1), inv_w);
+        const auto x_px = hn::Mul(clip.x, inv_w), y_px = hn::Mul(clip.y, inv_w);
         const auto is_plain =
             hn::And(hn::And(hn::Ge(w, hn::Set(d, near)), hn::Le(w, hn::Set(d, kMostW))),
                     hn::And(hn::Le(hn::Abs(x_px), reach), hn::Le(hn::Abs(y_px), reach)));
@@ -70,13 +64,16 @@ void project(std::span<const glm::dvec3> p_world,
 }
 
 void facing_by_planes(const LookupMesh& mesh,
-                      const glm::dvec3& eye_world,
+                      const scene::Viewpoint& viewpoint,
                       std::size_t begin,
                       std::size_t end,
                       std::int8_t* facing) {
-    const glm::vec3 eye = eye_world - mesh.origin_world;
-    const float doubt = LookupMesh::kPlaneRounding *
-                        (std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z) + mesh.reach_world);
+    const bool is_far = viewpoint.is_direction;  // no plane's distance counts there
+    const glm::vec3 eye = is_far ? -viewpoint.at_world : viewpoint.at_world - mesh.origin_world;
+    const float doubt =
+        LookupMesh::kPlaneRounding *
+        (std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z) + (is_far ? 0 : mesh.reach_world));
+    const float counts = is_far ? 0 : 1;
     const float* const x = mesh.planes[0].data();
     const float* const y = mesh.planes[1].data();
     const float* const z = mesh.planes[2].data();
@@ -90,7 +87,7 @@ void facing_by_planes(const LookupMesh& mesh,
                                   HWY_ATTR { return hn::Mul(hn::LoadU(d, n + at), hn::Set(d, e)); };
             const auto height =
                 hn::Sub(hn::Add(hn::Add(term(x, eye.x), term(y, eye.y)), term(z, eye.z)),
-                        hn::LoadU(d, distance + at));
+                        hn::Mul(hn::LoadU(d, distance + at), hn::Set(d, counts)));
             const auto is_front = hn::RebindMask(d_wide, hn::Gt(height, hn::Set(d, doubt)));
             const auto is_back = hn::RebindMask(d_wide, hn::Lt(height, hn::Set(d, -doubt)));
             const auto side =
@@ -124,16 +121,16 @@ void to_screen(std::span<const glm::dvec3> p_world,
 }
 
 void find_facing(const LookupMesh& mesh,
-                 const glm::dvec3& eye_world,
+                 const scene::Viewpoint& viewpoint,
                  std::size_t begin,
                  std::size_t end,
                  std::span<std::int8_t> facing) {
-    HWY_DYNAMIC_DISPATCH(facing_by_planes)(mesh, eye_world, begin, end, facing.data());
+    HWY_DYNAMIC_DISPATCH(facing_by_planes)(mesh, viewpoint, begin, end, facing.data());
     for (std::size_t f = begin; f < end; ++f) {
         if (facing[f] != LookupMesh::kInDoubt) continue;
         const auto& [a, b, c] = mesh.faces[f].vertices;
         facing[f] = static_cast<std::int8_t>(
-            scene::facing(mesh.p_world[a], mesh.p_world[b], mesh.p_world[c], eye_world));
+            scene::facing(mesh.p_world[a], mesh.p_world[b], mesh.p_world[c], viewpoint));
     }
 }
 

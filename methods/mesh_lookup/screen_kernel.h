@@ -23,7 +23,7 @@ void to_screen(std::span<const glm::dvec3> p_world,
 
 /// Which side of each face from `begin` to `end` the eye sees: 1 and -1, 0 edge-on. Exact.
 void find_facing(const LookupMesh& mesh,
-                 const glm::dvec3& eye_world,
+                 const scene::Viewpoint& viewpoint,
                  std::size_t begin,
                  std::size_t end,
                  std::span<std::int8_t> facing);

@@ -37,8 +37,8 @@ void ScreenMesh::see(const LookupMesh& mesh,
                      int threads) {
     mesh_ = &mesh;
     options_ = options;
-    view_ = view;
-    eye_world_ = view.camera.eye_world;
+    projection_.emplace(view);
+    eye_ = view.camera.viewpoint();
     near_ = view.camera.near;
     transform_ = raster::ViewTransform(view);
     q_.resize(mesh.p_world.size());
@@ -53,7 +53,7 @@ void ScreenMesh::see(const LookupMesh& mesh,
                   std::span(places_).subspan(begin, part.size()));
     });
     each_batch(facing_.size(), threads, [&](std::size_t begin, std::size_t end) {
-        find_facing(mesh, eye_world_, begin, end, facing_);
+        find_facing(mesh, eye_, begin, end, facing_);
     });
 }
 
@@ -358,8 +358,7 @@ int ScreenMesh::side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) 
         if (area > doubt) return -1;
         if (area < -doubt) return 1;
     }
-    return scene::orient3d(
-        eye_world_, mesh_->p_world[a], mesh_->p_world[b], mesh_->p_world[corner]);
+    return scene::facing(mesh_->p_world[a], mesh_->p_world[b], mesh_->p_world[corner], eye_);
 }
 
 FoundLine ScreenMesh::line_between(const SampleSide& side) const {
@@ -391,9 +390,10 @@ bool ScreenMesh::covers(const SampleSide& side,
                         std::uint32_t other) const {
     const double x = side.x + (is_second && !side.is_down ? 1.5 : 0.5);
     const double y = side.y + (is_second && side.is_down ? 1.5 : 0.5);
-    const glm::dvec3 ray = scene::Projection(view_).ray_world(x, y);
+    const glm::dvec3 ray = projection_->ray_world(x, y);
+    const glm::dvec3 begin = projection_->ray_begin_world(x, y);
     const auto corner = [&](std::uint32_t face, std::size_t i) {
-        return mesh_->p_world[mesh_->faces[face].vertices[i]] - eye_world_;
+        return mesh_->p_world[mesh_->faces[face].vertices[i]] - begin;
     };
     const auto normal = [&](std::uint32_t face) {
         const glm::dvec3 a = corner(face, 0);
@@ -419,7 +419,8 @@ bool ScreenMesh::is_crack(const Walk& there, const Walk& back) const {
     if (std::abs(there.s() - (1 - back.s())) > kCrack_px) return false;
     const LookupFace& f = mesh_->faces[there.face()];
     const LookupFace& g = mesh_->faces[back.face()];
-    const double w = 1 / there.q(), gap = std::abs(w - 1 / back.q());
+    const double w = projection_->depth_of(1 / there.q());
+    const double gap = std::abs(w - projection_->depth_of(1 / back.q()));
     const double crack = mesh_->crack_world[mesh_->objects[there.face()]];
     if (gap > std::max(crack, kCrackDepth * w)) return false;
     const auto normal = [&](const LookupFace& face) {

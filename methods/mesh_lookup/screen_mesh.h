@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -98,8 +99,8 @@ class ScreenMesh {
     std::vector<glm::ivec2> places_;
     std::vector<std::int8_t> facing_;
     raster::ViewTransform transform_;
-    scene::View view_;
-    glm::dvec3 eye_world_{0};
+    std::optional<scene::Projection> projection_;
+    scene::Viewpoint eye_;
     double near_ = 0;
 };
 

@@ -21,9 +21,14 @@ struct LookupWord {
 
 /// What codes and depths decide without the mesh, of words that hold codes.
 struct CodeRule {
-    float jump = 0;  ///< least bend of 1/w at both samples that is looked up, as a share of 1/w
-    float flat = 0;  ///< least bend at either where codes are trusted
-    int trust = 4;   ///< codes this far apart are a line, unless one is flagged
+    /// A bend of q = 1/w: of_q q + constant.
+    struct Bend {
+        float of_q = 0;
+        float constant = 0;
+    };
+    Bend jump;      ///< least at both samples that is looked up
+    Bend flat;      ///< least at either where codes are trusted
+    int trust = 4;  ///< codes this far apart are a line, unless one is flagged
 };
 
 /// The pixels of a tile that are lines, a bit each. Rows -1 and kTileSize_px are there to be

@@ -59,8 +59,9 @@ HWY_INLINE void judge(D d,
     const auto bend_a = hn::Abs(hn::Sub(jump, hn::Sub(at_a, before)));
     const auto bend_b = hn::Abs(hn::Sub(jump, hn::Sub(after, at_b)));
     const auto nearest = hn::Max(at_a, at_b);
-    const auto bends = [&](auto bend, float share) HWY_ATTR {
-        return hn::RebindMask(d, hn::Gt(bend, hn::Mul(hn::Set(d_q, share), nearest)));
+    const auto bends = [&](auto bend, const CodeRule::Bend& least) HWY_ATTR {
+        const auto of_q = hn::Mul(hn::Set(d_q, least.of_q), nearest);
+        return hn::RebindMask(d, hn::Gt(bend, hn::Add(of_q, hn::Set(d_q, least.constant))));
     };
     const auto at_least = [&](int difference) HWY_ATTR {
         return hn::RebindMask(d, hn::Gt(apart, hn::Set(d_code, difference - 1)));

@@ -6,22 +6,31 @@
 namespace ink::methods {
 namespace {
 
-/// n . p = w (n . r), r the pixel's ray; 0 where nothing is.
+/// n . p, which is w (n . r) with r the pixel's ray in perspective; 0 where nothing is.
 void plane_distances(const raster::Tile& tile,
-                     const buffers::PixelRays& rays,
+                     const buffers::FullBufferFrame& frame,
                      const buffers::TilePlane& q,
                      const std::array<buffers::TilePlane, 3>& normals,
                      buffers::TileFloats& to) {
+    const buffers::PixelPlaces& places = frame.places;
     const int halo = tile.halo_px;
     for (int y = -halo; y < tile.height_px + halo; ++y) {
-        const float ry = rays.y(tile.y0_px + y);
+        const float py = places.y(tile.y0_px + y);
         const float* nx = normals[0].row(y);
         const float* ny = normals[1].row(y);
         const float* nz = normals[2].row(y);
         const float* q_row = q.row(y);
         float* out = to.row(y);
+        if (frame.projection.is_parallel()) {
+            for (int x = -halo; x < tile.width_px + halo; ++x) {
+                const auto depth = static_cast<float>(frame.projection.depth_of(1 / q_row[x]));
+                const float beside = nx[x] * places.x(tile.x0_px + x) + ny[x] * py;
+                out[x] = q_row[x] > 0 ? beside - nz[x] * depth : 0;
+            }
+            continue;
+        }
         for (int x = -halo; x < tile.width_px + halo; ++x) {
-            const float along = nx[x] * rays.x(tile.x0_px + x) + ny[x] * ry - nz[x];
+            const float along = nx[x] * places.x(tile.x0_px + x) + ny[x] * py - nz[x];
             out[x] = q_row[x] > 0 ? along / q_row[x] : 0;
         }
     }
@@ -57,11 +66,14 @@ class PlaneDistance : public buffers::FullBufferMethod {
         const buffers::CrossPlanes planes(tile, frame, params_.renormalise);
         buffers::TileFloats plane;
         buffers::TileFloats plane_cross;
-        plane_distances(tile, frame.rays, planes.q, planes.normals, plane);
+        plane_distances(tile, frame, planes.q, planes.normals, plane);
         buffers::half_cross(tile, buffers::TilePlane(plane), plane_cross);
         const float per_plane = 1 / static_cast<float>(params_.plane_step);
+        const bool is_parallel = frame.projection.is_parallel();
+        const float alike =
+            is_parallel ? 1 / static_cast<float>(frame.projection.parallel_distance()) : 0;
         const auto step_ratio = [&](int x, int y, const buffers::CrossRange& near) {
-            return plane_cross.row(y)[x] * near.most * per_plane;
+            return plane_cross.row(y)[x] * (is_parallel ? alike : near.most) * per_plane;
         };
         buffers::write_cross(tile, planes, params_.normal_step, step_ratio, out);
     }

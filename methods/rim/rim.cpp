@@ -34,8 +34,11 @@ class Rim : public buffers::FullBufferMethod {
                 edge::EdgeImage& out) const override {
         std::array<buffers::TileFloats, 3> normals;
         buffers::TileFloats facing;
-        buffers::facing_ratio(
-            tile, buffers::view_normals(tile, params_.renormalise, normals), frame.rays, facing);
+        buffers::facing_ratio(tile,
+                              buffers::view_normals(tile, params_.renormalise, normals),
+                              frame.places,
+                              frame.projection.is_parallel(),
+                              facing);
         const auto limit = static_cast<float>(params_.limit);
         for (int y = 0; y < tile.height_px; ++y) {
             const float* carried = tile.row<float>(0, y);

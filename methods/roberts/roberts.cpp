@@ -85,13 +85,18 @@ class Roberts : public buffers::FullBufferMethod {
         const buffers::CrossPlanes planes(tile, frame, params_.renormalise);
         buffers::TileFloats facing;
         buffers::TileFloats depth_cross;
-        buffers::facing_ratio(tile, planes.normals, frame.rays, facing);
+        buffers::facing_ratio(
+            tile, planes.normals, frame.places, frame.projection.is_parallel(), facing);
         buffers::half_cross(tile, planes.q, depth_cross);
         const float per_depth = 1 / static_cast<float>(params_.depth_step);
+        const auto of_q = static_cast<float>(frame.per_distance.of_q);
+        const auto constant = static_cast<float>(frame.per_distance.constant);
+        const float far = static_cast<float>(frame.projection.parallel_distance());
+        const float per_px = frame.places.per_px() / (far > 0 ? far : 1);
         const auto step_ratio = [&](int x, int y, const buffers::CrossRange& near) {
             const float open = buffers::cross_range(facing.row(y) + x, facing.row(y + 1) + x).most;
-            const float step = depth_cross.row(y)[x] / near.most;
-            return guarded(step, open, frame.rays.per_px()) * per_depth;
+            const float step = depth_cross.row(y)[x] / (near.most * of_q + constant);
+            return guarded(step, open, per_px) * per_depth;
         };
         buffers::write_cross(tile, planes, params_.normal_step, step_ratio, out);
     }

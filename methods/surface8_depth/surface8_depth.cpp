@@ -50,8 +50,9 @@ class Surface8Depth : public CodeMethod {
                    edge::Sides sides,
                    const core::ImageView<std::uint8_t>& out) const override {
         const scene::View& view = pass().inputs().view();
-        const double share = params_.jump_px / scene::Projection(view).focal_px();
-        edge::DepthJump jump{.least_share = static_cast<float>(share),
+        const scene::DepthSlope least = params_.jump_px * scene::Projection(view).q_per_px();
+        edge::DepthJump jump{.least_share = static_cast<float>(least.of_q),
+                             .slack = static_cast<float>(least.constant),
                              .ratio = static_cast<float>(params_.ratio)};
         if (params_.depth_format == raster::DepthFormat::q32) {
             const core::ImageView<const float> q{
@@ -65,7 +66,7 @@ class Surface8Depth : public CodeMethod {
             for (int x = -1; x < tile.width_px + 2; ++x)
                 q.row(y)[x] = steps[x] == 0 ? 0 : static_cast<float>(depth.q_of(steps[x]));
         }
-        jump.slack = static_cast<float>(2 / depth.scale());  // four samples, half a step each
+        jump.slack += static_cast<float>(2 / depth.scale());  // four samples, half a step each
         const core::ImageView<const float> rows{
             q.row(0), tile.width_px, tile.height_px, buffers::TileFloats::kSpan};
         edge::add_depth_jumps(rows, out, sides, jump);

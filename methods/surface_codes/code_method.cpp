@@ -41,7 +41,7 @@ void CodePass::follow_view(const method::Frame& /*frame*/) {
         const auto& [a, b, c] = surface.triangles[t];
         const glm::dvec3 center = (surface.p_world[a] + surface.p_world[b] + surface.p_world[c]);
         const double w = std::max(projection.to_clip(center / 3.0).z, inputs().view().camera.near);
-        lengths[t] = static_cast<float>(w / projection.focal_px() * setup_.length_px);
+        lengths[t] = static_cast<float>(setup_.length_px / projection.px_per_world(w));
     }
     if (lengths == lengths_world_) return;
     lengths_world_ = std::move(lengths);

@@ -92,7 +92,7 @@ void TriangleEdges::find_sides(const method::Frame& frame) {
             const scene::Triangle& t = surface().triangles[i];
             const std::vector<glm::dvec3>& p = surface().p_world;
             sides_[i] = static_cast<std::int8_t>(
-                scene::facing(p[t[0]], p[t[1]], p[t[2]], frame.view.camera.eye_world));
+                scene::facing(p[t[0]], p[t[1]], p[t[2]], frame.view.camera.viewpoint()));
         }
     });
 }

@@ -9,10 +9,10 @@
 
 namespace ink::buffers {
 
-PixelRays::PixelRays(const scene::View& view)
+PixelPlaces::PixelPlaces(const scene::View& view)
     : center_x_px_(static_cast<float>(view.width_px) / 2),
       center_y_px_(static_cast<float>(view.height_px) / 2),
-      per_px_(static_cast<float>(1 / scene::Projection(view).focal_px())) {}
+      per_px_(static_cast<float>(1 / scene::Projection(view).px_per_world(1))) {}
 
 InputParams with_distances(InputParams params) {
     params.depth_encoding = params.interpolation == raster::Interpolation::affine
@@ -23,17 +23,18 @@ InputParams with_distances(InputParams params) {
 
 void facing_ratio(const raster::Tile& tile,
                   const std::array<TilePlane, 3>& normals,
-                  const PixelRays& rays,
+                  const PixelPlaces& places,
+                  bool is_parallel,
                   TileFloats& out) {
     const int halo = tile.halo_px;
     for (int y = -halo; y < tile.height_px + halo; ++y) {
-        const float ry = rays.y(tile.y0_px + y);
+        const float ry = is_parallel ? 0 : places.y(tile.y0_px + y);
         const float* nx = normals[0].row(y);
         const float* ny = normals[1].row(y);
         const float* nz = normals[2].row(y);
         float* to = out.row(y);
         for (int x = -halo; x < tile.width_px + halo; ++x) {
-            const float rx = rays.x(tile.x0_px + x);
+            const float rx = is_parallel ? 0 : places.x(tile.x0_px + x);
             const float along = nx[x] * rx + ny[x] * ry - nz[x];
             to[x] = std::abs(along) / std::sqrt(rx * rx + ry * ry + 1);
         }
@@ -75,7 +76,12 @@ void normal_cross(const raster::Tile& tile,
 raster::SkipCounts FullBufferMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
     const method::DepthCarrier carrier = pass().see(frame);
     const SurfaceInputs& inputs = pass().inputs();
-    const FullBufferFrame seen{carrier, inputs.range(), PixelRays(inputs.view())};
+    const scene::Projection projection(inputs.view());
+    const FullBufferFrame seen{carrier,
+                               inputs.range(),
+                               PixelPlaces(inputs.view()),
+                               projection,
+                               projection.q_per_distance()};
     EachTile sink([&](const raster::Tile& tile) {
         if (tile.is_empty) return clear_tile(tile, out);
         const raster::Tile output = output_tile(tile, out.width_px(), out.height_px());

@@ -11,11 +11,12 @@
 
 namespace ink::buffers {
 
-/// The rays of a view's pixel centres in view space, as multiples of distance along the view
-/// direction: the surface at distance w of pixel (x, y) is at w * (x(x), y(y), -1).
-class PixelRays {
+/// Where a view's pixel centres lie in view space: at distance 1 along the view direction, so that
+/// the surface at distance w of pixel (x, y) is at w * (x(x), y(y), -1); under a parallel camera
+/// anywhere, and that surface is at (x(x), y(y), -w).
+class PixelPlaces {
   public:
-    explicit PixelRays(const scene::View& view);
+    explicit PixelPlaces(const scene::View& view);
 
     [[nodiscard]] float x(int x_px) const {
         return (static_cast<float>(x_px) + 0.5F - center_x_px_) * per_px_;
@@ -24,7 +25,7 @@ class PixelRays {
         return (center_y_px_ - (static_cast<float>(y_px) + 0.5F)) * per_px_;
     }
 
-    /// What one pixel is worth: 1 / focal length in px.
+    /// What one pixel is worth.
     [[nodiscard]] float per_px() const { return per_px_; }
 
   private:
@@ -40,7 +41,8 @@ class PixelRays {
 /// and where nothing is.
 void facing_ratio(const raster::Tile& tile,
                   const std::array<TilePlane, 3>& normals,
-                  const PixelRays& rays,
+                  const PixelPlaces& places,
+                  bool is_parallel,
                   TileFloats& out);
 
 /// Roberts' cross of a plane on a tile's own pixels, half of it: a step's own height where it runs
@@ -76,7 +78,9 @@ struct CrossRange {
 struct FullBufferFrame {
     method::DepthCarrier carrier;
     raster::DepthRange range;  ///< the distances that depth 1 and 0 stand for
-    PixelRays rays;
+    PixelPlaces places;
+    scene::Projection projection;
+    scene::DepthSlope per_distance;  ///< Projection::q_per_distance
 };
 
 /// What a cross over distances and normals reads of a tile, halo included.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/corner_view.h"
+#include "scene/views/corner_view.h"
 
 namespace ink::buffers {
 

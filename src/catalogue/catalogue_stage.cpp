@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "catalogue/shapes.h"
-#include "scene/framing.h"
+#include "scene/views/framing.h"
 
 namespace ink::catalogue {
 namespace {

@@ -56,7 +56,8 @@ Place place_of(const harness::SceneViews& scene_views) {
                                  camera.eye_world,
                                  camera.eye_world - reach * axis(camera, 2),
                                  axis(camera, 1),
-                                 glm::degrees(camera.fov_y_rad)});
+                                 glm::degrees(camera.fov_y_rad),
+                                 camera.height_world});
     }
     for (glm::dvec3* p : {&place.low_world, &place.high_world, &place.center_world})
         *p += place.origin;
@@ -87,12 +88,14 @@ std::string as_text(const Place& place) {
                text;
     }
     for (const Place::Camera& camera : place.cameras) {
-        text += fmt::format("  {}  --eye {} --target {} --up {} --fov {:.9g}\n",
+        const bool is_parallel = camera.height_world > 0;
+        text += fmt::format("  {}  --eye {} --target {} --up {} --{} {:.9g}\n",
                             camera.name,
                             text_of(camera.eye_world),
                             text_of(camera.target_world),
                             text_of(camera.up_world),
-                            camera.fov_deg);
+                            is_parallel ? "parallel" : "fov",
+                            is_parallel ? camera.height_world : camera.fov_deg);
     }
     for (std::size_t i = 0; i < place.animations.size(); ++i) {
         text += fmt::format("animation {}: {}\n",
@@ -116,8 +119,12 @@ nlohmann::ordered_json as_json(const Place& place) {
     for (const Place::Camera& camera : place.cameras) {
         json["cameras"][camera.name] = {{"eye", json_of(camera.eye_world)},
                                         {"target", json_of(camera.target_world)},
-                                        {"up", json_of(camera.up_world)},
-                                        {"fov_deg", camera.fov_deg}};
+                                        {"up", json_of(camera.up_world)}};
+        if (camera.height_world > 0) {
+            json["cameras"][camera.name]["height"] = camera.height_world;
+        } else {
+            json["cameras"][camera.name]["fov_deg"] = camera.fov_deg;
+        }
     }
     return json;
 }

@@ -20,6 +20,7 @@ struct Place {
         glm::dvec3 target_world{0};  ///< on the line of sight, as far away as the centre is
         glm::dvec3 up_world{0};
         double fov_deg = 0;
+        double height_world = 0;  ///< of a parallel camera, else 0
     };
     glm::dvec3 low_world{0};
     glm::dvec3 high_world{0};

@@ -16,6 +16,7 @@ struct DrawingOptions {
     std::optional<std::string> place;  ///< a file (.svg) of one view, or a folder
     bool hidden = false;
     std::optional<double> sheet_width_mm;
+    std::optional<double> mm_per_unit;  ///< of parallel views
 
     [[nodiscard]] bool is_folder() const {
         if (!place) return false;

@@ -46,7 +46,7 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
         const auto& v = topology.faces[i].vertices;
         const auto& p = topology.p_world;
         orientation_[i] = static_cast<std::int8_t>(
-            scene::orient3d(p[v[0]], p[v[1]], p[v[2]], projection_.eye_world()));
+            scene::orient3d(p[v[0]], p[v[1]], p[v[2]], projection_.viewpoint()));
     });
     in_chunks(kinds_.size(), [&](std::size_t i) { kinds_[i] = kind_of(topology.edges[i]); });
 }
@@ -138,7 +138,7 @@ std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
         // Nearer is what surely lies on the eye's side of the plane of the nearest so far.
         const scene::RoundedPoint a = point(edge.a), b = point(edge.b), c = corner(nearest);
         const int of_face = scene::sure_orient3d(a, b, c, corner(face));
-        const int of_eye = scene::orient3d(a.p, b.p, c.p, projection_.eye_world());
+        const int of_eye = scene::orient3d(a.p, b.p, c.p, projection_.viewpoint());
         if (of_face == of_eye || (of_face == 0 && face < nearest)) nearest = face;
     }
     return nearest;
@@ -163,7 +163,7 @@ double ClipMesh::deviation_between(std::uint32_t face0, std::uint32_t face1) con
     const auto to_eye = [&](std::uint32_t face) {
         const glm::dvec3 a = topology_.p_world[topology_.faces[face].vertices[0]];
         const glm::dvec3 n = topology_.area_vector(face);
-        return glm::dot(n, projection_.eye_world() - a) < 0 ? -n : n;
+        return glm::dot(n, projection_.viewpoint().sight(a)) > 0 ? -n : n;
     };
     return angle_between(to_eye(face0), to_eye(face1));
 }
@@ -186,7 +186,7 @@ bool ClipMesh::is_level(std::uint32_t face0, std::uint32_t face1) const {
 
 double ClipMesh::tolerance(std::uint32_t face, double w) const {
     const double unseen =
-        scene::kUnseen_px * std::max(w, view_.camera.near) / projection_.focal_px();
+        scene::kUnseen_px / projection_.px_per_world(std::max(w, view_.camera.near));
     return std::min(tolerances_[topology_.faces[face].object], unseen);
 }
 

@@ -39,7 +39,7 @@ bool goes_on(const SightRays& rays, const MetEdge& end, const Sample& beyond, Sa
     const ClipMesh& mesh = rays.mesh();
     next = beyond;
     if (end.line_class != truth::LineClass::boundary) return is_touched(mesh, end, beyond);
-    const double px_per_unit = mesh.projection().focal_px() / end.w;
+    const double px_per_unit = mesh.projection().px_per_world(end.w);
     const double tolerance = mesh.tolerance(end.face, end.w);
     const auto touches = [&](std::uint32_t face) {
         return mesh.goes_on(end.face, face, end.p_world, {tolerance, tolerance});
@@ -209,8 +209,7 @@ bool is_slit(const ClipMesh& mesh,
     const double s = before + behind != 0 ? before / (before + behind) : 0.5;
     const glm::dvec2 p_px = glm::mix(samples[0].p_px, samples[1].p_px, s);
     const double w = glm::mix(samples[0].sight.w, w_beyond, s);
-    const glm::dvec3 p_world =
-        mesh.projection().eye_world() + w * mesh.projection().ray_world(p_px.x, p_px.y);
+    const glm::dvec3 p_world = mesh.projection().at(p_px.x, p_px.y, mesh.projection().depth_of(w));
     // Either may show its back: where the surface folds before the eye its borders are drawn.
     const double deviation = mesh.deviation_between(faces[0], faces[1]);
     return std::min(deviation, std::numbers::pi - deviation) < mesh.crease_rad() &&

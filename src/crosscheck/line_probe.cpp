@@ -36,7 +36,7 @@ class PlainRays final : public SightRays {
     [[nodiscard]] std::span<const std::uint32_t> faces_near(const glm::dvec2& p_px) const;
 
   private:
-    [[nodiscard]] bool is_met(std::uint32_t face, const glm::dvec3& ray) const;
+    [[nodiscard]] bool is_met(std::uint32_t face, const scene::SightLine& ray) const;
 
     std::vector<std::uint64_t> pixels_;              ///< keys of those with a place, ascending
     std::vector<std::vector<std::uint32_t>> faces_;  ///< per pixel
@@ -73,13 +73,12 @@ Box box_of(const ClipMesh& mesh, const scene::Face& face) {
 }
 
 /// The distance along the view direction at which the ray, of unit depth, meets the face's plane.
-double depth_of(const ClipMesh& mesh, const scene::Face& face, const glm::dvec3& ray) {
+double depth_of(const ClipMesh& mesh, const scene::Face& face, const scene::SightLine& ray) {
     const auto& p = mesh.topology().p_world;
     const auto& v = face.vertices;
-    const glm::dvec3 eye = mesh.projection().eye_world();
     const glm::dvec3 n = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
-    const double along = glm::dot(n, ray);
-    return along != 0 ? glm::dot(n, p[v[0]] - eye) / along : 0;
+    const double along = glm::dot(n, ray.way_world);
+    return along != 0 ? glm::dot(n, p[v[0]] - ray.begin_world) / along : 0;
 }
 
 PlainRays::PlainRays(const ClipMesh& mesh, std::span<const glm::dvec2> places_px)
@@ -115,16 +114,16 @@ PlainRays::PlainRays(const ClipMesh& mesh, std::span<const glm::dvec2> places_px
     }
 }
 
-bool PlainRays::is_met(std::uint32_t face, const glm::dvec3& ray) const {
+bool PlainRays::is_met(std::uint32_t face, const scene::SightLine& ray) const {
     const auto& v = mesh().topology().faces[face].vertices;
     const auto& p = mesh().topology().p_world;
-    const glm::dvec3 eye = mesh().projection().eye_world();
     // A point of the ray about as far off as the face: near the eye it would lie beside the ray.
     const double far = std::max(std::abs(mesh().p_clip()[v[0]].z), mesh().view().camera.near);
-    const glm::dvec3 on_ray = eye + far * ray;
+    const glm::dvec3 on_ray = ray.begin_world + far * ray.way_world;
     int low = 0, high = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int side = scene::orient3d(eye, on_ray, p[v[i]], p[v[(i + 1) % 3]]);
+        const int side =
+            scene::facing(on_ray, p[v[i]], p[v[(i + 1) % 3]], mesh().projection().viewpoint());
         low = std::min(low, side);
         high = std::max(high, side);
     }
@@ -139,11 +138,14 @@ std::span<const std::uint32_t> PlainRays::faces_near(const glm::dvec2& p_px) con
 }
 
 Sight PlainRays::look(const glm::dvec2& p_px) const {
-    const glm::dvec3 ray = mesh().projection().ray_world(p_px.x, p_px.y);
+    const scene::Projection& projection = mesh().projection();
+    const scene::SightLine ray{projection.ray_begin_world(p_px.x, p_px.y),
+                               projection.ray_world(p_px.x, p_px.y)};
     Foremost foremost;
     for (const std::uint32_t face : faces_near(p_px)) {
-        const double w = depth_of(mesh(), mesh().topology().faces[face], ray);
-        if (w < mesh().view().camera.near || !foremost.may_take(w)) continue;
+        const double depth = depth_of(mesh(), mesh().topology().faces[face], ray);
+        const double w = projection.w_of(depth);
+        if (depth < mesh().view().camera.near || !foremost.may_take(w)) continue;
         if (is_met(face, ray)) foremost.add(mesh(), {face, w});
     }
     return foremost.seen();
@@ -209,11 +211,11 @@ class Places {
     [[nodiscard]] bool is_open_at(const glm::dvec2& at_px, const glm::dvec2& place_px) const {
         const Sight sight = rays_.look(at_px);
         if (sight.face == kNothing) return false;
-        const double px_world = sight.w / mesh_.projection().focal_px();
+        const scene::Projection& projection = mesh_.projection();
+        const double px_world = 1 / projection.px_per_world(sight.w);
         const double of_seen = written(sight.face, px_world);
         if (of_seen < 0) return false;
-        const glm::dvec3 p_world = mesh_.projection().eye_world() +
-                                   sight.w * mesh_.projection().ray_world(at_px.x, at_px.y);
+        const glm::dvec3 p_world = projection.at(at_px.x, at_px.y, projection.depth_of(sight.w));
         const auto& faces = rays_.faces_near(place_px);
         return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t other) {
             const double of_other = written(other, px_world);

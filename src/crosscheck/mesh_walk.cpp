@@ -26,7 +26,9 @@ MetEdge meet(const ClipMesh& mesh,
     const double t = at_a == at_b ? 0.5 : std::clamp(at_a / (at_a - at_b), 0.0, 1.0);
     MetEdge met{.face = face, .side = side, .w = a.z + t * (b.z - a.z)};
     const auto& p = mesh.topology().p_world;
-    met.p_world = glm::mix(p[v[side]], p[v[(side + 1) % 3]], t);
+    // A parallel camera's clip space is not linear in the world.
+    const double part = mesh.projection().is_parallel() ? t * b.z / met.w : t;
+    met.p_world = glm::mix(p[v[side]], p[v[(side + 1) % 3]], part);
     const glm::dvec2 inward(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
     const double length = glm::length(inward) * -local.orientation;
     met.outward = length != 0 ? inward / length : glm::dvec2(1, 0);

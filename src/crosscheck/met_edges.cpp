@@ -24,7 +24,7 @@ int side_under(const ClipMesh& mesh, std::uint32_t face, const scene::RoundedPoi
     const double volume = scene::orient3d_value(a, b, c, point.p);
     const double off = mesh.rounding(face) + point.rounding;
     if (std::abs(volume) <= off * glm::length(glm::cross(b - a, c - a))) return 0;
-    return (volume > 0 ? -1 : 1) * scene::orient3d(a, b, c, mesh.projection().eye_world());
+    return (volume > 0 ? -1 : 1) * scene::orient3d(a, b, c, mesh.projection().viewpoint());
 }
 
 /// The same of a vertex, 0 also where the rounding of the face turns its plane that far.
@@ -33,7 +33,7 @@ int sure_side_under(const ClipMesh& mesh, std::uint32_t face, std::uint32_t vert
     const auto point = [&](std::uint32_t i) { return scene::rounded_point(mesh.topology(), i); };
     return -scene::sure_orient3d(point(v[0]), point(v[1]), point(v[2]), point(vertex)) *
            scene::orient3d(
-               point(v[0]).p, point(v[1]).p, point(v[2]).p, mesh.projection().eye_world());
+               point(v[0]).p, point(v[1]).p, point(v[2]).p, mesh.projection().viewpoint());
 }
 
 /// Whether one edge runs exactly behind another, in one plane with the eye: the surface that ends
@@ -43,9 +43,9 @@ bool is_right_behind(const ClipMesh& mesh, const MetEdge& met, const MetEdge& bo
     const auto& p = topology.p_world;
     const scene::Edge& front = topology.edges[edge_of(mesh, border)];
     const scene::Edge& behind = topology.edges[edge_of(mesh, met)];
-    const glm::dvec3 eye = mesh.projection().eye_world();
+    const scene::Viewpoint& eye = mesh.projection().viewpoint();
     const auto is_level = [&](std::uint32_t v) {
-        return scene::orient3d(eye, p[front.a], p[front.b], p[v]) == 0;
+        return scene::facing(p[front.a], p[front.b], p[v], eye) == 0;
     };
     return border.w < met.w && is_level(behind.a) && is_level(behind.b);
 }

@@ -56,12 +56,18 @@ struct Packet {
 using Valid = std::array<int, EmbreeRays::kPacket>;
 
 /// The ray to a point from near to infinity, of unit depth along the view direction, so that
-/// distances along it are w.
-RTCRay ray_to(const ClipMesh& mesh, const glm::dvec2& p_px, float near) {
-    const double focal_px = mesh.projection().focal_px();
+/// distances along it are depths.
+RTCRay ray_to(const ClipMesh& mesh, const glm::dvec2& p_px, float near, double scale) {
+    const double focal_px = mesh.projection().px_per_world(1);
     const double x = (p_px.x - mesh.view().width_px / 2.0) / focal_px;
     const double y = (mesh.view().height_px / 2.0 - p_px.y) / focal_px;
-    return truth::embree::make_ray({x, y, -1}, near, std::numeric_limits<float>::infinity());
+    constexpr float kEndless = std::numeric_limits<float>::infinity();
+    if (!mesh.projection().is_parallel())
+        return truth::embree::make_ray({x, y, -1}, near, kEndless);
+    RTCRay ray = truth::embree::make_ray({0, 0, -1}, near, kEndless);
+    ray.org_x = static_cast<float>(x * scale);
+    ray.org_y = static_cast<float>(y * scale);
+    return ray;
 }
 
 /// One ray of a packet.
@@ -164,7 +170,7 @@ Sight EmbreeRays::look(const glm::dvec2& p_px) const {
     look.near = mesh().view().camera.near;
 
     RTCRayHit query{};
-    query.ray = ray_to(mesh(), p_px, near());
+    query.ray = ray_to(mesh(), p_px, near(), scale_);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     truth::embree::intersect(handles_->scene, look.context, &take, query);
     return look.foremost.seen();
@@ -189,7 +195,7 @@ void EmbreeRays::look_at_packet(std::span<const glm::dvec2> points_px,
     alignas(64) Valid valid{};
     alignas(64) RTCRayHit16 query{};
     for (std::size_t i = 0; i < points_px.size(); ++i)
-        aim(query, valid, i, ray_to(mesh(), points_px[i], near()));
+        aim(query, valid, i, ray_to(mesh(), points_px[i], near(), scale_));
     truth::embree::intersect_16(valid.data(), handles_->scene, packet.context, &keep, query);
     for (std::size_t i = 0; i < sights.size(); ++i) {
         const Offers& offers = packet.offers[i];
@@ -215,7 +221,7 @@ void EmbreeRays::look_along(const glm::dvec2& first_px, std::span<Sight> sights)
     alignas(64) Valid valid{};
     alignas(64) RTCRayHit16 query{};
     for (std::size_t i = 0; i < sights.size(); ++i)
-        aim(query, valid, i, ray_to(mesh(), point_px(i), near()));
+        aim(query, valid, i, ray_to(mesh(), point_px(i), near(), scale_));
     truth::embree::intersect_16(valid.data(), handles_->scene, context, nullptr, query);
     for (std::size_t i = 0; i < sights.size(); ++i) {
         sights[i] = {};

@@ -75,7 +75,9 @@ std::vector<ExrAttribute> place(const harness::SceneViews& scene_views) {
     return {{"ink:scene", scene_views.scene.name},
             {"ink:view", camera.name},
             {"ink:eye_world", fmt::format("{} {} {}", eye.x, eye.y, eye.z)},
-            {"ink:fov_y_deg", glm::degrees(camera.fov_y_rad)},
+            camera.is_parallel()
+                ? image_io::ExrAttribute{"ink:height_world", camera.height_world}
+                : image_io::ExrAttribute{"ink:fov_y_deg", glm::degrees(camera.fov_y_rad)},
             {"ink:near", camera.near}};
 }
 

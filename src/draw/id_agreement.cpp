@@ -79,8 +79,9 @@ class SeenSurface {
         const auto& [a, b, c] = surface_.triangles[triangle];
         const auto& p = surface_.p_world;
         const glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
-        const glm::dvec3 ray = projection_.ray_world(p_px.x, p_px.y);
-        return glm::dot(normal, ray) / glm::dot(normal, p[a] - projection_.eye_world());
+        const glm::dvec3 begin = projection_.ray_begin_world(p_px.x, p_px.y);
+        const double along = glm::dot(normal, projection_.ray_world(p_px.x, p_px.y));
+        return 1 / projection_.w_of(glm::dot(normal, p[a] - begin) / along);
     }
     /// About how much of itself the depth of a point of the triangle may be off when it is computed
     /// in
@@ -128,13 +129,14 @@ class EmbreeIds {
   public:
     EmbreeIds(const scene::Scene& scene, const scene::View& view)
         : topology_(scene::weld(scene)),
-          rays_(topology_, view.camera.eye_world, 1),
+          rays_(topology_, view.camera, 1),
           near_(view.camera.near) {}
 
     [[nodiscard]] std::uint32_t at(const scene::Projection& projection,
                                    const glm::dvec2& p_px) const {
         truth::EyeRay ray;
-        ray.direction_world = projection.ray_world(p_px.x, p_px.y);
+        ray.begin_world = projection.ray_begin_world(p_px.x, p_px.y);
+        ray.way_world = projection.ray_world(p_px.x, p_px.y);
         ray.t_near = near_;
         ray.t_far = std::numeric_limits<double>::infinity();
         const auto hit = rays_.first(ray, [](std::uint32_t) { return true; });

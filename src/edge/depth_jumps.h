@@ -17,7 +17,7 @@ namespace ink::edge {
 /// The first is 0 or less on a plane and at a bend of any strength.
 struct DepthJump {
     float least_share = 0;
-    float slack = 0;  ///< what rounding of q may add up to
+    float slack = 0;  ///< and a length of its own, and what rounding of q may add up to
     float ratio = 0;
 };
 

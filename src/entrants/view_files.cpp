@@ -63,27 +63,19 @@ std::vector<std::uint32_t> materials_of(const scene::Scene& scene) {
     return materials;
 }
 
-/// A point of a triangle as a pixel sees it.
-struct SeenPoint {
-    double w = 0;
-    glm::dvec3 shares{0};  ///< of the three corners
-};
-
-/// Shares of the corners are determinants of the pixel with two of them in clip space, so that
-/// corners behind the eye do no harm (Olano and Greer 1997).
-SeenPoint seen_point(const std::array<glm::dvec3, 3>& p_clip, double x_px, double y_px) {
+/// Shares of three corners, (x, y, h) each, in the point of their triangle that a pixel sees: of
+/// each the determinant of the pixel with the two others, so that corners behind the eye do no harm
+/// (Olano and Greer 1997).
+glm::dvec3 seen_shares(const std::array<glm::dvec3, 3>& corners, double x_px, double y_px) {
     const glm::dvec3 pixel(x_px, y_px, 1);
-    SeenPoint seen;
+    glm::dvec3 shares(0);
     for (int i = 0; i < 3; ++i) {
         const auto a = static_cast<std::size_t>((i + 1) % 3);
         const auto b = static_cast<std::size_t>((i + 2) % 3);
-        seen.shares[i] = glm::dot(pixel, glm::cross(p_clip[a], p_clip[b]));
+        shares[i] = glm::dot(pixel, glm::cross(corners[a], corners[b]));
     }
-    const double sum = seen.shares.x + seen.shares.y + seen.shares.z;
-    const double det = glm::dot(p_clip[0], glm::cross(p_clip[1], p_clip[2]));
-    seen.w = sum != 0 ? det / sum : 0;
-    seen.shares = sum != 0 ? seen.shares / sum : glm::dvec3(1.0 / 3);
-    return seen;
+    const double sum = shares.x + shares.y + shares.z;
+    return sum != 0 ? shares / sum : glm::dvec3(1.0 / 3);
 }
 
 namespace fs = std::filesystem;
@@ -97,7 +89,8 @@ constexpr const char* kConventions =
     "looks along -z. Matrices are by rows and take column vectors: p_view = view_from_world "
     "(p_world, 1). clip_from_view is OpenGL's: x, y and z divided by w lie in -1..1. Pixel (0, 0) "
     "is the upper left one and its centre is at (0.5, 0.5): x_px = (x/w + 1) width / 2, y_px = (1 "
-    "- y/w) height / 2. Square pixels; the field of view is vertical. Write an 8-bit image of this "
+    "- y/w) height / 2. Square pixels; the field of view is vertical. A parallel camera sees the "
+    "height that it names, in world units. Write an 8-bit image of this "
     "size with the lines of the view, as seen from the eye with hidden lines removed: light on "
     "dark, or dark on light.";
 
@@ -119,9 +112,17 @@ Json view_matrix(const scene::Camera& camera) {
     return rows;
 }
 
-/// OpenGL's perspective matrix as four rows.
+/// OpenGL's matrix as four rows.
 Json clip_matrix(const scene::View& view) {
     const scene::Camera& camera = view.camera;
+    if (camera.is_parallel()) {
+        const double scale = 2 / camera.height_world;
+        const double length = camera.near - camera.far;
+        return {{scale * view.height_px / view.width_px, 0, 0, 0},
+                {0, scale, 0, 0},
+                {0, 0, 2 / length, (camera.far + camera.near) / length},
+                {0, 0, 0, 1}};
+    }
     const double f = 1 / std::tan(camera.fov_y_rad / 2);
     const double aspect = static_cast<double>(view.width_px) / view.height_px;
     const double depth = camera.near - camera.far;
@@ -183,15 +184,20 @@ ViewBuffers view_buffers(const scene::Scene& scene, const scene::View& view, dou
             result.object.at(x, y) = surface.object[triangle];
             result.patch.at(x, y) = patches[triangle];
             result.material.at(x, y) = materials[triangle];
-            std::array<glm::dvec3, 3> p_clip;
-            for (std::size_t i = 0; i < 3; ++i)
-                p_clip[i] = projection.to_clip(surface.p_world[surface.triangles[triangle][i]]);
-            const SeenPoint seen = seen_point(p_clip, x + 0.5, y + 0.5);
-            result.w.at(x, y) = static_cast<float>(seen.w);
+            std::array<glm::dvec3, 3> corners;
+            glm::dvec3 depths;
+            for (int i = 0; i < 3; ++i) {
+                const auto corner = surface.triangles[triangle][static_cast<std::size_t>(i)];
+                const glm::dvec3& p_world = surface.p_world[corner];
+                corners[static_cast<std::size_t>(i)] = projection.to_homogeneous(p_world);
+                depths[i] = -projection.to_view(p_world).z;
+            }
+            const glm::dvec3 shares = seen_shares(corners, x + 0.5, y + 0.5);
+            result.w.at(x, y) = static_cast<float>(glm::dot(shares, depths));
             glm::dvec3 n_world(0);
             for (int i = 0; i < 3; ++i) {
                 const auto corner = surface.triangles[triangle][static_cast<std::size_t>(i)];
-                n_world += seen.shares[i] * glm::dvec3(surface.n_world[corner]);
+                n_world += shares[i] * glm::dvec3(surface.n_world[corner]);
             }
             const glm::dvec3 n_view = view.camera.view_from_world * n_world;
             const double length = glm::length(n_view);
@@ -213,27 +219,31 @@ std::string view_json(const scene::Scene& scene, const scene::View& view, const 
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double ahead =
         std::max(glm::dot(camera.eye_world - bounds.center_world, row(2)), camera.near);
-    const Json json = {{"format", "inkbench view 1"},
-                       {"scene", scene.name},
-                       {"view", camera.name},
-                       {"width_px", view.width_px},
-                       {"height_px", view.height_px},
-                       {"origin", point(scene.origin)},
-                       {"camera",
-                        {{"eye", point(camera.eye_world)},
-                         {"target", point(camera.eye_world - ahead * row(2))},
-                         {"up", point(row(1))},
-                         {"fov_y_deg", camera.fov_y_rad * kDegPerRad},
-                         {"near", camera.near},
-                         {"far", camera.far}}},
-                       {"view_from_world", view_matrix(camera)},
-                       {"clip_from_view", clip_matrix(view)},
-                       {"files",
-                        {{"obj", files.obj.string()},
-                         {"glb", files.glb.string()},
-                         {"buffers", files.buffers.string()},
-                         {"ids", files.ids.string()}}},
-                       {"conventions", kConventions}};
+    const Json json = {
+        {"format", "inkbench view 1"},
+        {"scene", scene.name},
+        {"view", camera.name},
+        {"width_px", view.width_px},
+        {"height_px", view.height_px},
+        {"origin", point(scene.origin)},
+        {"camera",
+         {{"projection", scene::kProjectionNames[camera.is_parallel() ? 1 : 0]},
+          {"eye", point(camera.eye_world)},
+          {"target", point(camera.eye_world - ahead * row(2))},
+          {"up", point(row(1))},
+          camera.is_parallel()
+              ? Json::object_t::value_type{"height", camera.height_world}
+              : Json::object_t::value_type{"fov_y_deg", camera.fov_y_rad * kDegPerRad},
+          {"near", camera.near},
+          {"far", camera.far}}},
+        {"view_from_world", view_matrix(camera)},
+        {"clip_from_view", clip_matrix(view)},
+        {"files",
+         {{"obj", files.obj.string()},
+          {"glb", files.glb.string()},
+          {"buffers", files.buffers.string()},
+          {"ids", files.ids.string()}}},
+        {"conventions", kConventions}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -35,6 +35,7 @@ toml::table views_of(const harness::ViewRequest& request) {
     if (!request.directions.empty())
         views.insert("directions", methods::array_of(core::names_of(request.directions)));
     if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
+    if (request.height_world) views.insert("parallel_height", *request.height_world);
     if (request.margin) views.insert("margin", *request.margin);
     if (!request.objects.empty()) views.insert("objects", methods::array_of(request.objects));
     if (request.file_cameras) views.insert("file_cameras", true);

@@ -20,6 +20,24 @@ std::string_view name(ExperimentKind kind) {
     return kNames.at(static_cast<std::size_t>(kind));
 }
 
+std::vector<scene::ProjectionKind> parse_projections(const std::vector<core::GivenText>& names) {
+    const auto& known = scene::kProjectionNames;
+    std::vector<scene::ProjectionKind> kinds;
+    for (const core::GivenText& name : names) {
+        const auto at = std::find(known.begin(), known.end(), name.text) - known.begin();
+        const auto kind = static_cast<scene::ProjectionKind>(at);
+        const bool is_known = at < std::ssize(known);
+        if (!is_known || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
+            throw core::Error(name.where,
+                              is_known ? fmt::format("'{}' is named twice", name.text)
+                                       : fmt::format("there is no projection '{}'", name.text),
+                              fmt::format("{}, or both", fmt::join(known, ", ")));
+        }
+        kinds.push_back(kind);
+    }
+    return kinds;
+}
+
 ImageSize parse_image_size(const std::string& text, const std::string& where) {
     const auto x = text.find('x');
     const auto width_px = core::parse_number<int>(text.substr(0, x));

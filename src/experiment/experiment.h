@@ -65,6 +65,8 @@ struct Experiment {
     harness::ViewRequest view_request;  ///< from where scenes are seen; its size is not read
     int views = 0;                      ///< the first of each scene; 0: all
     std::vector<std::string> axes;      ///< of stress; none: all
+    scene::ProjectionKind projection =
+        scene::ProjectionKind::perspective;  ///< of stress: how all its cameras look
     std::vector<studies::Axis> own_axes =
         {};                              ///< stress: made by code, beside (or instead of) these
     int points = 0;                      ///< values of an axis, at most; 0: all
@@ -114,6 +116,10 @@ struct Experiment {
 
 /// The scenes that "catalogue", "train" and "heldout" stand for; any other name is its own.
 [[nodiscard]] std::vector<std::string> scenes_called(const std::string& name);
+
+/// Projections by their names, each once. Throws core::Error (where = the text's).
+[[nodiscard]] std::vector<scene::ProjectionKind> parse_projections(
+    const std::vector<core::GivenText>& names);
 
 /// "640x360"; throws core::Error (where = `where`) for text that is no size, or one that cannot be
 /// drawn.

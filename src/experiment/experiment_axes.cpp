@@ -23,7 +23,19 @@ struct Stage {
     std::vector<method::MethodConfig> configs;
     harness::CellOptions options;
     studies::CaseSize size;
+    scene::ProjectionKind projection = scene::ProjectionKind::perspective;
 };
+
+/// The cases of a value, under the projection that was asked for.
+std::vector<studies::Case> cases_of(const Stage& stage, double value) {
+    std::vector<studies::Case> cases = stage.axis.cases(value, stage.size);
+    for (studies::Case& one : cases) {
+        const scene::Sphere bounds = scene::bounding_sphere(one.scene_views.scene);
+        for (scene::View& view : one.scene_views.views)
+            view.camera = scene::projected(stage.projection, view.camera, bounds);
+    }
+    return cases;
+}
 
 /// Why the whole run would be invalid, in words; "" if it is not.
 std::string fault_of(const studies::Axis& axis, const studies::AxisRow& of) {
@@ -57,7 +69,7 @@ BlockResult run_values(const Stage& stage,
     const auto observer = axis.observer ? axis.observer() : nullptr;
     std::vector<studies::AxisRow> rows;
     for (const double value : values) {
-        for (const studies::Case& one : axis.cases(value, stage.size)) {
+        for (const studies::Case& one : cases_of(stage, value)) {
             if (core::is_interrupted()) return {};
             const auto cell = first_cell + static_cast<std::int64_t>(rows.size());
             auto more =
@@ -140,6 +152,7 @@ void plan_axes(const std::vector<studies::Axis>& axes,
         stage->options.measure.threads = experiment.threads.front();
         stage->options.measure.skips =
             harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
+        stage->projection = experiment.projection;
         stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
         plan.add_axis(axis);
         plan_axis(stage, experiment.points, plan);

@@ -107,6 +107,13 @@ Texts sizes_text(const Experiment& experiment) {
     return texts;
 }
 
+Texts projections_text(const Experiment& experiment) {
+    Texts texts;
+    for (const scene::ProjectionKind kind : experiment.view_request.projections)
+        texts.emplace_back(scene::kProjectionNames[static_cast<std::size_t>(kind)]);
+    return texts;
+}
+
 Texts threads_text(const Experiment& experiment) {
     Texts texts;
     for (const int count : experiment.threads)
@@ -183,12 +190,24 @@ OptionTable make_table() {
         "grid.seams", {"objects", "materials"},
         "Where a smooth surface has seams: between objects of a model file, or between their "
         "materials, too");
+    in(kCompare | kAnimation | kBound).texts(
+        {.name = "grid.projections", .kind = Kind::list,
+         .choices = {scene::kProjectionNames.begin(), scene::kProjectionNames.end()},
+         .unit = "NAMES",
+         .doc = "How cameras look; of two, parallel views are called NAME.parallel (default: in "
+                "perspective, named views and a file's parallel cameras parallel)"},
+        [](E& e, const Given& given) { e.view_request.projections = parse_projections(given); },
+        projections_text);
     in(kStress, "--axes,--axis", "axis").texts(
         {.name = "grid.axes", .kind = Kind::list, .choices = core::names_of(studies::stress_axes()),
          .unit = "AXES", .doc = "Axes a,b or globs (default: all; see inkbench list axes)"},
         read_names<&E::axes>, names_text<&E::axes>);
     in(kStress, "--points").number(
         &E::points, "grid.points", {2, 1000}, "N", "Points of an axis at most (default: all)");
+    in(kStress, "--projection").choice(
+        &E::projection, "grid.projection",
+        {scene::kProjectionNames.begin(), scene::kProjectionNames.end()},
+        "How all cameras look");
     in(kAnimation).number(&E::frames, "grid.frames", {2, 10000}, "N", "Frames of a sequence");
     in(kAnimation).flag(&E::roll, "grid.roll", "The cube roll too");
 

@@ -72,6 +72,35 @@ void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
     }
 }
 
+void parse_projection_options(const ViewOptions& options, harness::ViewRequest& request) {
+    std::vector<core::GivenText> names;
+    for (const std::string& name : methods::split_list(options.projection))
+        names.push_back({name, "--projection"});
+    request.projections = parse_projections(names);
+    if (!options.parallel_height) return;
+    const double height = *options.parallel_height;
+    if (!(height > 0 && std::isfinite(height))) {
+        throw core::Error("--parallel",
+                          fmt::format("the height seen cannot be {:g}", height),
+                          "a length above 0, in the scene's units");
+    }
+    if (options.fit == "box") {
+        throw core::Error("--parallel", "--fit box finds the height", "one of the two");
+    }
+    if (options.fov_deg) {
+        throw core::Error("--fov", "there is a --parallel beside it", "one of the two");
+    }
+    if (request.projections == std::vector{scene::ProjectionKind::perspective}) {
+        throw core::Error(
+            "--parallel", "the projection is perspective", "--projection parallel, or --fov");
+    }
+    for (harness::CameraRequest& camera : request.cameras)
+        camera.height_world = height;
+    if (!request.cameras.empty()) return;
+    request.height_world = height;
+    if (request.projections.empty()) request.projections = {scene::ProjectionKind::parallel};
+}
+
 void parse_framing(const ViewOptions& options, harness::ViewRequest& request) {
     if (options.fit != "" && options.fit != "sphere" && options.fit != "box")
         throw core::Error(
@@ -142,6 +171,7 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     parse_cameras(options, request);
     parse_framing(options, request);
     parse_views(options.views, request);
+    parse_projection_options(options, request);
     if (options.time_s && options.frame) {
         throw core::Error("--time", "there is a --frame beside it", "one of the two");
     }

@@ -19,6 +19,8 @@ struct ViewOptions {
     std::vector<std::string> targets;
     std::optional<std::string> up;  ///< only with eyes, as the next
     std::optional<double> fov_deg;
+    std::string projection;  ///< of all views: "", "perspective", "parallel" or both, by commas
+    std::optional<double> parallel_height;  ///< of parallel views, world units
     std::optional<double> time_s;
     std::optional<int> frame;
     std::string fit;  ///< "", "sphere" or "box"

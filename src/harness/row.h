@@ -32,7 +32,8 @@ struct Row {
     std::string method;
     std::string scene;
     std::string view;
-    std::string split;  ///< train | heldout | real
+    std::string projection;  ///< perspective | parallel
+    std::string split;       ///< train | heldout | real
     int width = 0;
     int height = 0;
     int threads = 1;

@@ -12,7 +12,7 @@
 #include "core/named.h"
 #include "core/param.h"
 #include "scene/animation.h"
-#include "scene/framing.h"
+#include "scene/views/framing.h"
 
 namespace ink::harness {
 namespace {
@@ -41,6 +41,7 @@ scene::Camera make_camera(const CameraRequest& request,
         request.target_world ? *request.target_world - origin : bounds.center_world;
     scene::Camera camera =
         scene::look_at(request.eye_world - origin, target_world, request.up_world, fov_y_rad);
+    camera.height_world = request.height_world.value_or(0);
     scene::fit_clip_range(camera, bounds);
     return camera;
 }
@@ -56,10 +57,29 @@ std::vector<scene::Camera> asked_cameras(const ViewRequest& request,
     return cameras;
 }
 
+/// Cameras under the projections that are asked for.
+std::vector<scene::Camera> under_projections(const std::vector<scene::Camera>& cameras,
+                                             const ViewRequest& request,
+                                             const scene::Sphere& bounds) {
+    std::vector<scene::Camera> all;
+    for (const scene::ProjectionKind kind : request.projections) {
+        for (const scene::Camera& camera : cameras) {
+            all.push_back(scene::projected(kind, camera, bounds));
+            const bool is_second = request.projections.size() > 1 && all.back().is_parallel();
+            if (is_second) all.back().name += ".parallel";
+        }
+    }
+    if (request.projections.empty()) all = cameras;
+    for (scene::Camera& camera : all) {
+        if (camera.is_parallel() && request.height_world)
+            camera.height_world = *request.height_world;
+    }
+    return all;
+}
+
 /// Views from all around, framed as asked.
-std::vector<scene::Camera> orbit_of(const scene::Scene& scene, const ViewRequest& request) {
+std::vector<scene::Camera> orbit_of(const scene::Scene& scene, ViewRequest request) {
     const double aspect = static_cast<double>(request.width_px) / request.height_px;
-    const int count = request.orbit_count.value_or(kModelViews);
     std::optional<scene::Scene> part;
     if (!request.objects.empty()) part = scene::only_objects(scene, request.objects);
     const scene::Scene& framed = part ? *part : scene;
@@ -67,8 +87,14 @@ std::vector<scene::Camera> orbit_of(const scene::Scene& scene, const ViewRequest
     std::vector<scene::Camera> cameras;
     for (const scene::NamedDirection& direction : request.directions)
         cameras.push_back(scene::camera_round(bounds, direction, aspect));
-    if (cameras.empty()) cameras = scene::orbit_cameras(bounds, count, aspect);
-    if (part && request.fit != Fit::box) {
+    if (cameras.empty()) {
+        const int count = request.orbit_count.value_or(kModelViews);
+        cameras = scene::orbit_cameras(bounds, count, aspect);
+    } else if (request.projections.empty()) {
+        request.projections = {scene::ProjectionKind::parallel};
+    }
+    cameras = under_projections(cameras, request, bounds);
+    if (part) {
         for (scene::Camera& camera : cameras)
             scene::fit_clip_range(camera, scene::bounding_sphere(scene));
     }
@@ -76,7 +102,7 @@ std::vector<scene::Camera> orbit_of(const scene::Scene& scene, const ViewRequest
     const auto points = scene::placed_points(framed);
     const double fill = 1 - 2 * request.margin.value_or(kMargin);
     for (scene::Camera& camera : cameras)
-        camera = scene::framed(camera, points, {camera.fov_y_rad, aspect, fill}, scene);
+        camera = scene::framed(camera, points, aspect, fill, scene);
     return cameras;
 }
 
@@ -84,28 +110,22 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
                                           const ViewRequest& request,
                                           bool is_catalogue_scene) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
-    if (!request.cameras.empty()) return asked_cameras(request, scene.origin, bounds);
+    if (!request.cameras.empty()) {
+        return under_projections(asked_cameras(request, scene.origin, bounds), request, bounds);
+    }
     if (request.file_cameras && scene.cameras.empty()) {
-        const auto& parallel = scene.file.parallel_cameras;
-        throw core::Error(
-            scene.name,
-            parallel.empty()
-                ? "the file has no camera of its own"
-                : fmt::format("the file's camera '{}' is orthographic, which cannot be drawn",
-                              parallel.front()),
-            "--views N, or --eye X,Y,Z --target X,Y,Z");
+        throw core::Error(scene.name,
+                          "the file has no camera of its own",
+                          "--views N, or --eye X,Y,Z --target X,Y,Z");
     }
     const bool is_framed = request.fit || !request.objects.empty();
-    if (request.orbit_count || !request.directions.empty() || is_framed)
-        return orbit_of(scene, request);
-    if (request.file_cameras || is_catalogue_scene) {
-        std::vector<scene::Camera> cameras = scene.cameras;
-        const bool is_posed = request.time_s || request.frame;
-        for (std::size_t c = 0; c < cameras.size() && is_posed && !is_catalogue_scene; ++c)
-            scene::fit_clip_range(cameras[c], bounds);  // it or the scene has moved
-        return cameras;
-    }
-    return orbit_of(scene, request);
+    const bool is_round = request.orbit_count || !request.directions.empty() || is_framed;
+    if (is_round || !(request.file_cameras || is_catalogue_scene)) return orbit_of(scene, request);
+    std::vector<scene::Camera> cameras = scene.cameras;
+    const bool is_posed = request.time_s || request.frame;
+    for (std::size_t c = 0; c < cameras.size() && is_posed && !is_catalogue_scene; ++c)
+        scene::fit_clip_range(cameras[c], bounds);  // it or the scene has moved
+    return under_projections(cameras, request, bounds);
 }
 
 void check_moves(const scene::Scene& scene, const char* option) {

@@ -17,7 +17,8 @@ struct CameraRequest {
     glm::dvec3 eye_world{0};
     std::optional<glm::dvec3> target_world;  ///< default: the scene's centre
     glm::dvec3 up_world{0, 1, 0};
-    std::optional<double> fov_y_rad;  ///< default: 40 degrees
+    std::optional<double> fov_y_rad;          ///< of a pinhole; default: 40 degrees
+    std::optional<double> height_world = {};  ///< seen by a parallel camera, instead
 };
 
 /// What the frame of a view round a scene is fitted to.
@@ -39,10 +40,14 @@ struct ViewRequest {
     /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
     bool file_cameras = false;
     std::vector<CameraRequest> cameras;  ///< these instead of all others
-    std::optional<double> time_s;        ///< when an animated scene is seen; default: rest pose
-    std::optional<int> frame;            ///< by a stored frame's number instead
-    import::ModelChoice model = {};      ///< of model files
-    import::ImportLimits limits = {};    ///< how far these are trusted, and who reads them
+    /// How all of these look; two: both, and parallel ones of a pinhole are called `NAME.parallel`.
+    /// None: as a file's camera has it, parallel for `directions`, else in perspective.
+    std::vector<scene::ProjectionKind> projections = {};
+    std::optional<double> height_world = {};  ///< of parallel views without `cameras`; else fitted
+    std::optional<double> time_s;      ///< when an animated scene is seen; default: rest pose
+    std::optional<int> frame;          ///< by a stored frame's number instead
+    import::ModelChoice model = {};    ///< of model files
+    import::ImportLimits limits = {};  ///< how far these are trusted, and who reads them
 };
 
 /// A scene with the views it is to be drawn from.

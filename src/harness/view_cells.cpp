@@ -108,6 +108,7 @@ void fill_place(const scene::Scene& scene,
                 Row& row) {
     row.scene = scene.name;
     row.view = view.camera.name;
+    row.projection = scene::kProjectionNames[view.camera.is_parallel() ? 1 : 0];
     row.split = scene::split_name(scene.split);
     row.width = view.width_px;
     row.height = view.height_px;

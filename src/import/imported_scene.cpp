@@ -190,10 +190,14 @@ std::vector<scene::CameraMotion> take_cameras(const std::vector<ImportedCamera>&
         if (scene.cameras.size() == kMostCameras) break;
         constexpr double kLeastFov_rad = 1e-3;
         constexpr double kMostFov_rad = std::numbers::pi - 1e-3;
-        if (!(from.fov_y_rad >= kLeastFov_rad && from.fov_y_rad <= kMostFov_rad)) continue;
+        const bool is_parallel = from.height_world > 0 && std::isfinite(from.height_world);
+        const bool is_pinhole = from.height_world == 0 && from.fov_y_rad >= kLeastFov_rad &&
+                                from.fov_y_rad <= kMostFov_rad;
+        if (!is_parallel && !is_pinhole) continue;
         try {
             scene::Camera camera =
                 scene::look_at(from.eye_world, from.target_world, from.up_world, from.fov_y_rad);
+            camera.height_world = from.height_world;
             camera.name = camera_name(from.name, taken);
             scene::fit_clip_range(camera, bounds);
             scene.cameras.push_back(std::move(camera));
@@ -232,7 +236,6 @@ scene::FileFacts facts_of(const ImportReply& reply) {
         return texts;
     };
     return {.animation_names = all(reply.animation_names, kMostNameChars),
-            .parallel_cameras = all(reply.parallel_cameras, kMostNameChars),
             .notes = all(reply.notes, kMostNoteChars)};
 }
 

@@ -64,8 +64,9 @@ struct ImportedCamera {
     glm::dvec3 eye_world{0};
     glm::dvec3 target_world{0};
     glm::dvec3 up_world{0};
-    double fov_y_rad = 0;
+    double fov_y_rad = 0;          ///< of a pinhole
     scene::CameraMotion motion{};  ///< the same by the reply's nodes
+    double height_world = 0;       ///< that a parallel camera sees, else 0
 };
 
 /// What sends light. Shading knows lamps that shine to all sides alone: see take_lights.
@@ -107,8 +108,7 @@ struct ImportReply {
     std::vector<ImportedInstance> instances;
     std::vector<ImportedCamera> cameras;
     std::vector<ImportedLight> lights;
-    std::vector<std::string> parallel_cameras;  ///< names of those that cannot be drawn yet
-    std::vector<std::string> animation_names;   ///< of all that the file has; "" has no name
+    std::vector<std::string> animation_names;  ///< of all that the file has; "" has no name
     /// What in the file does not count here, a few words each: "2 materials of mode BLEND are drawn
     /// opaque". Never something that changes geometry.
     std::vector<std::string> notes;

@@ -14,9 +14,11 @@ raster::DepthRange depth_range(RangeSource source,
         const glm::dvec3 center_view =
             camera.view_from_world * (bounds.center_world - camera.eye_world);
         const double far = -center_view.z + bounds.radius;
-        const double near = -center_view.z - bounds.radius;
-        if (far > camera.near) range = {std::max(near, camera.near), far};
+        const double near = std::max(-center_view.z - bounds.radius, camera.near);
+        const auto w_of = [&](double depth) { return scene::w_of_depth(camera, depth); };
+        if (far > camera.near) range = {w_of(near), w_of(far)};
     }
+    range.is_parallel = camera.is_parallel();
     // A flat scene seen face-on has no extent; 1/w needs some.
     range.far = std::max(range.far, range.near * (1 + 1e-6));
     return range;
@@ -29,7 +31,12 @@ double encode_limited(raster::DepthEncoding encoding, double w, const raster::De
 DepthCarrier::DepthCarrier(raster::DepthEncoding encoding,
                            raster::Interpolation interpolation,
                            const raster::DepthRange& range)
-    : encoding_(encoding), interpolation_(interpolation), range_(range) {}
+    : encoding_(encoding), interpolation_(interpolation), range_(range) {
+    if (!range.is_parallel) return;
+    interpolation_ = raster::Interpolation::affine;
+    if (encoding == raster::DepthEncoding::linear || encoding == raster::DepthEncoding::log)
+        encoding_ = raster::DepthEncoding::inverse;
+}
 
 bool DepthCarrier::is_encoded() const {
     using raster::DepthEncoding;

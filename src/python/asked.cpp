@@ -66,6 +66,12 @@ struct ViewKeyword {
 constexpr std::array kViewKeywords = {
     ViewKeyword{"size", [](ViewOptions& o, const py::handle& v) { o.size = joined(v, "x"); }},
     ViewKeyword{"views", [](ViewOptions& o, const py::handle& v) { o.views = text_of(v); }},
+    ViewKeyword{"projection",
+                [](ViewOptions& o, const py::handle& v) {
+                    const bool is_list = !py::isinstance<py::str>(v);
+                    o.projection =
+                        is_list ? fmt::format("{}", fmt::join(texts_of(v), ",")) : text_of(v);
+                }},
     ViewKeyword{"fit", [](ViewOptions& o, const py::handle& v) { o.fit = text_of(v); }},
     ViewKeyword{"margin",
                 [](ViewOptions& o, const py::handle& v) {
@@ -167,7 +173,12 @@ void Camera::put_into(ViewOptions& options) const {
     options.targets.clear();
     if (!target.is_none()) options.targets = {joined(target, ",")};
     options.up = joined(up, ",");
-    options.fov_deg = number_of<double>(fov_deg, "--fov", "1..170");
+    if (parallel_height.is_none()) {
+        options.fov_deg = number_of<double>(fov_deg, "--fov", "1..170");
+    } else {
+        options.parallel_height =
+            number_of<double>(parallel_height, "--parallel", "a length above 0");
+    }
 }
 
 std::string Keywords::text() const {
@@ -241,11 +252,13 @@ void add_camera(py::module_& module) {
                          py::object target,
                          py::object up,
                          py::object fov_deg,
-                         py::object size) {
+                         py::object size,
+                         py::object parallel_height) {
                  Camera camera{std::move(eye),
                                std::move(target),
                                std::move(up),
                                std::move(fov_deg),
+                               std::move(parallel_height),
                                std::move(size)};
                  ViewOptions options;
                  camera.put_into(options);
@@ -253,16 +266,22 @@ void add_camera(py::module_& module) {
                  return camera;
              }),
              "Points are in the coordinates of the model's file; without a target it looks at the "
-             "scene's centre. fov_deg is vertical, size width and height in px.",
+             "scene's centre. fov_deg is vertical, size width and height in px. With "
+             "parallel_height it is a "
+             "parallel camera that sees so much of the scene's units, and has no fov_deg.",
              py::arg("eye"),
              py::arg("target") = py::none(),
              py::arg("up") = py::make_tuple(0, 1, 0),
              py::arg("fov_deg") = experiment::kFov_deg,
-             py::arg("size") = py::make_tuple(1280, 720))
+             py::arg("size") = py::make_tuple(1280, 720),
+             py::arg("parallel_height") = py::none())
         .def_readonly("eye", &Camera::eye, "Where it is.")
         .def_readonly("target", &Camera::target, "What it looks at; None for the centre.")
         .def_readonly("up", &Camera::up, "What is up in the image.")
         .def_readonly("fov_deg", &Camera::fov_deg, "Vertical field of view in degrees.")
+        .def_readonly("parallel_height",
+                      &Camera::parallel_height,
+                      "Height that a parallel camera sees; None for a pinhole.")
         .def_readonly("size", &Camera::size, "Width and height of the image in px.");
 }
 

@@ -10,13 +10,14 @@
 
 namespace ink::python {
 
-/// A camera that is set by hand, and the size of its image: --eye, --target, --up, --fov and --size
-/// of the program, as Python has them.
+/// A camera that is set by hand, and the size of its image: --eye, --target, --up, --fov,
+/// --parallel and --size of the program, as Python has them.
 struct Camera {
     pybind11::object eye;
     pybind11::object target;
     pybind11::object up;
     pybind11::object fov_deg;
+    pybind11::object parallel_height;
     pybind11::object size;
 
     /// Throws core::Error for text that the program would refuse.

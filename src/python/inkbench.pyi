@@ -24,6 +24,7 @@ _Settings = Mapping[str, Any]
 class _Views(TypedDict, total=False):
     size: _Size  # "1280x720"
     views: Union[int, str]
+    projection: Union[str, Sequence[str]]
     fit: str
     margin: Optional[float]
     objects: Sequence[str]
@@ -40,11 +41,13 @@ class Camera:
         up: _Point = (0, 1, 0),
         fov_deg: float = 40.0,
         size: _Size = (1280, 720),
+        parallel_height: Optional[float] = None,
     ) -> None: ...
     eye: Final[_Point]
     target: Final[Optional[_Point]]
     up: Final[_Point]
     fov_deg: Final[float]
+    parallel_height: Final[Optional[float]]
     size: Final[_Size]
 
 class Buffers:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numbers>
 
 #include "core/error.h"
 #include "scene/box.h"
@@ -70,16 +71,51 @@ void fit_clip_range(Camera& camera, const Sphere& bounds) {
     camera.far = far > camera.near ? far : 2 * camera.near;
 }
 
+Camera projected(ProjectionKind kind, const Camera& camera, const Sphere& bounds) {
+    if (kind == camera.projection()) return camera;
+    const glm::dvec3 center_view =
+        camera.view_from_world * (bounds.center_world - camera.eye_world);
+    const double depth = std::max(-center_view.z, std::max(bounds.radius, camera.near));
+    Camera result = camera;
+    if (kind == ProjectionKind::parallel) {
+        result.height_world = 2 * depth * std::tan(camera.fov_y_rad / 2);
+    } else {
+        constexpr double kRadPerDeg = std::numbers::pi / 180;
+        result.height_world = 0;
+        result.fov_y_rad = std::clamp(
+            2 * std::atan(camera.height_world / (2 * depth)), kRadPerDeg, 170 * kRadPerDeg);
+    }
+    return result;
+}
+
 Projection::Projection(const View& view)
-    : eye_world_(view.camera.eye_world),
+    : viewpoint_(view.camera.viewpoint()),
+      eye_world_(view.camera.eye_world),
       view_from_world_(view.camera.view_from_world),
-      focal_px_(view.height_px / (2 * std::tan(view.camera.fov_y_rad / 2))),
+      is_parallel_(view.camera.is_parallel()),
+      near_plus_far_(view.camera.near + view.camera.far),
+      near_far_(view.camera.near * view.camera.far),
+      focal_px_(is_parallel_ ? view.height_px / view.camera.height_world
+                             : view.height_px / (2 * std::tan(view.camera.fov_y_rad / 2))),
       center_px_(view.width_px / 2.0, view.height_px / 2.0, 0) {}
 
+double Projection::parallel_distance() const {
+    const double height_world = 2 * center_px_.y / focal_px_;
+    return is_parallel_ ? height_world / (2 * std::tan(Camera{}.fov_y_rad / 2)) : 0;
+}
+
 glm::dvec3 Projection::ray_world(double x_px, double y_px) const {
+    if (is_parallel_) return viewpoint_.at_world;
     const glm::dvec3 d_view{
         (x_px - center_px_.x) / focal_px_, (center_px_.y - y_px) / focal_px_, -1};
     return glm::transpose(view_from_world_) * d_view;
+}
+
+glm::dvec3 Projection::ray_begin_world(double x_px, double y_px) const {
+    if (!is_parallel_) return eye_world_;
+    const glm::dvec3 p_view{
+        (x_px - center_px_.x) / focal_px_, (center_px_.y - y_px) / focal_px_, 0};
+    return eye_world_ + glm::transpose(view_from_world_) * p_view;
 }
 
 }  // namespace ink::scene

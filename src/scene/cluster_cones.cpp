@@ -174,7 +174,7 @@ void refresh(const Surface& moved, Clusters& clusters) {
         solid.bounds.radius = std::sqrt(solid.bounds.radius) * kOutwards;
 }
 
-bool is_turned_away(const Cluster& cluster, const glm::dvec3& eye_world) {
+bool is_turned_away(const Cluster& cluster, const Viewpoint& eye) {
     if (cluster.cone_sine >= 1) return false;
     // The eye e sees the back of a face with normal n through p if n . (p - e) > 0. With c the
     // centre, v = c - e, h >= n . (c - p), t the angle from the axis to v and s that of the cone:
@@ -183,14 +183,16 @@ bool is_turned_away(const Cluster& cluster, const glm::dvec3& eye_world) {
     //               = axis . v cos s - |v - axis (axis . v)| sin s - h.
     // The usual axis . v >= |v| sin s + r is the same with cos(t + s) >= cos t - sin s and h <= r.
     // It holds for each plane as a whole, wherever in the image: the perspective is in v.
-    const glm::dvec3 v = cluster.bounds.center_world - eye_world;
+    // Infinitely far away, h is nothing beside |v|.
+    const glm::dvec3 v = eye.sight(cluster.bounds.center_world);
     const double along = glm::dot(v, cluster.cone_axis);
     if (!(along > 0)) return false;
     const double distance = glm::length(v);
     const double beside = glm::length(v - cluster.cone_axis * along);
     const double cosine = std::sqrt(1 - cluster.cone_sine * cluster.cone_sine);
-    const double slack = 1e-9 * (distance + cluster.bounds.radius);
-    return along * cosine - beside * cluster.cone_sine > cluster.center_height + slack;
+    const double slack = 1e-9 * (distance + (eye.is_direction ? 0 : cluster.bounds.radius));
+    const double height = eye.is_direction ? 0 : cluster.center_height;
+    return along * cosine - beside * cluster.cone_sine > height + slack;
 }
 
 }  // namespace ink::scene

@@ -76,6 +76,6 @@ struct Clusters {
 void refresh(const Surface& moved, Clusters& clusters);
 
 /// Whether the eye certainly sees the back of every face of the cluster, with room for rounding.
-[[nodiscard]] bool is_turned_away(const Cluster& cluster, const glm::dvec3& eye_world);
+[[nodiscard]] bool is_turned_away(const Cluster& cluster, const Viewpoint& eye);
 
 }  // namespace ink::scene

@@ -112,40 +112,42 @@ Row exact_row(const glm::dvec3& p, const glm::dvec3& origin) {
     return {difference(p.x, origin.x), difference(p.y, origin.y), difference(p.z, origin.z)};
 }
 
+/// The determinant of three rows.
+Expansion exact_determinant(const Row& a, const Row& b, const Row& c) {
+    Expansion det = product(a.z, minor_of(b.x, b.y, c.x, c.y));
+    add(det, product(b.z, minor_of(c.x, c.y, a.x, a.y)), 1.0);
+    add(det, product(c.z, minor_of(a.x, a.y, b.x, b.y)), 1.0);
+    return det;
+}
+
 Expansion orient3d_exact(const glm::dvec3& a,
                          const glm::dvec3& b,
                          const glm::dvec3& c,
                          const glm::dvec3& d) {
-    const Row ad = exact_row(a, d);
-    const Row bd = exact_row(b, d);
-    const Row cd = exact_row(c, d);
-    Expansion det = product(ad.z, minor_of(bd.x, bd.y, cd.x, cd.y));
-    add(det, product(bd.z, minor_of(cd.x, cd.y, ad.x, ad.y)), 1.0);
-    add(det, product(cd.z, minor_of(ad.x, ad.y, bd.x, bd.y)), 1.0);
-    return det;
+    return exact_determinant(exact_row(a, d), exact_row(b, d), exact_row(c, d));
 }
 
-/// The determinant in plain double, and the sum of what its products would be without signs, which
+/// A determinant in plain double, and the sum of what its products would be without signs, which
 /// bounds its error.
 struct Determinant {
     double value;
     double permanent;
+
+    /// Shewchuk, o3derrboundA: above it the rounded determinant has the right sign.
+    [[nodiscard]] bool is_sure() const {
+        return std::abs(value) > (7 + 56 * kHalfUlp) * kHalfUlp * permanent;
+    }
+    [[nodiscard]] int sign() const { return value > 0 ? 1 : -1; }
 };
 
-Determinant plain_orient3d(const glm::dvec3& a,
-                           const glm::dvec3& b,
-                           const glm::dvec3& c,
-                           const glm::dvec3& d) {
-    const glm::dvec3 ad = a - d;
-    const glm::dvec3 bd = b - d;
-    const glm::dvec3 cd = c - d;
-    const double bxcy = bd.x * cd.y, cxby = cd.x * bd.y;
-    const double cxay = cd.x * ad.y, axcy = ad.x * cd.y;
-    const double axby = ad.x * bd.y, bxay = bd.x * ad.y;
-    return {ad.z * (bxcy - cxby) + bd.z * (cxay - axcy) + cd.z * (axby - bxay),
-            (std::abs(bxcy) + std::abs(cxby)) * std::abs(ad.z) +
-                (std::abs(cxay) + std::abs(axcy)) * std::abs(bd.z) +
-                (std::abs(axby) + std::abs(bxay)) * std::abs(cd.z)};
+Determinant plain_determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const double bxcy = b.x * c.y, cxby = c.x * b.y;
+    const double cxay = c.x * a.y, axcy = a.x * c.y;
+    const double axby = a.x * b.y, bxay = b.x * a.y;
+    return {a.z * (bxcy - cxby) + b.z * (cxay - axcy) + c.z * (axby - bxay),
+            (std::abs(bxcy) + std::abs(cxby)) * std::abs(a.z) +
+                (std::abs(cxay) + std::abs(axcy)) * std::abs(b.z) +
+                (std::abs(axby) + std::abs(bxay)) * std::abs(c.z)};
 }
 
 /// The exact sign of (bx-ax)(cy-ay) - (by-ay)(cx-ax) in one coordinate plane.
@@ -164,19 +166,25 @@ int orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
 }  // namespace
 
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-    const Determinant det = plain_orient3d(a, b, c, d);
-    // Shewchuk, o3derrboundA: above it the rounded determinant has the right sign.
-    const double bound = (7 + 56 * kHalfUlp) * kHalfUlp * det.permanent;
-    if (std::abs(det.value) > bound) return det.value > 0 ? 1 : -1;
-    return orient3d_exact(a, b, c, d).sign();
+    const Determinant det = plain_determinant(a - d, b - d, c - d);
+    return det.is_sure() ? det.sign() : orient3d_exact(a, b, c, d).sign();
+}
+
+int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const Viewpoint& eye) {
+    if (!eye.is_direction) return orient3d(a, b, c, eye.at_world);
+    // |a-e, b-e, c-e| = |a-e, b-a, c-a|, and a - e comes ever nearer to the direction.
+    const Determinant det = plain_determinant(eye.at_world, b - a, c - a);
+    if (det.is_sure()) return det.sign();
+    const Row sight = exact_row(eye.at_world, glm::dvec3(0));
+    return exact_determinant(sight, exact_row(b, a), exact_row(c, a)).sign();
 }
 
 double orient3d_value(const glm::dvec3& a,
                       const glm::dvec3& b,
                       const glm::dvec3& c,
                       const glm::dvec3& d) {
-    const Determinant det = plain_orient3d(a, b, c, d);
-    // The same bound is 8e-16 of the permanent, so a hundredth of that is good to 1e-13.
+    const Determinant det = plain_determinant(a - d, b - d, c - d);
+    // The bound is 8e-16 of the permanent, so a hundredth of that is good to 1e-13.
     if (std::abs(det.value) > 0.01 * det.permanent) return det.value;
     return orient3d_exact(a, b, c, d).rounded();
 }

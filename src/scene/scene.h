@@ -54,9 +54,8 @@ enum class Split {
 
 /// What a model file has beside the scene; a scene made by code has nothing of it.
 struct FileFacts {
-    std::vector<std::string> animation_names;   ///< of all, "" where one has none
-    std::vector<std::string> parallel_cameras;  ///< names of those that cannot be drawn yet
-    std::vector<std::string> notes;             ///< what does not count here, a few words each
+    std::vector<std::string> animation_names;  ///< of all, "" where one has none
+    std::vector<std::string> notes;            ///< what does not count here, a few words each
 };
 
 /// Everything a method, the rasterizer and the truth may know.

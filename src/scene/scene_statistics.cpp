@@ -270,8 +270,8 @@ ViewStatistics make_view_statistics(const SceneStatistics& statistics, const Vie
     if (statistics.triangles == 0 || view.width_px < 1 || view.height_px < 1) return seen;
     const Projection projection(view);
     const glm::dvec3 centre_view = projection.to_view(ball.center_world);
-    const double distance = glm::length(centre_view);
-    seen.is_inside = distance < ball.radius;
+    seen.is_inside =
+        (projection.is_parallel() ? -centre_view.z : glm::length(centre_view)) < ball.radius;
     const double far = -centre_view.z + ball.radius;
     if (far > view.camera.near) {
         seen.near = std::max(-centre_view.z - ball.radius, view.camera.near);
@@ -280,10 +280,12 @@ ViewStatistics make_view_statistics(const SceneStatistics& statistics, const Vie
     int hits = 0;
     for (int y = 0; y < kProbes; ++y) {
         for (int x = 0; x < kProbes; ++x) {
-            const glm::dvec3 ray = glm::normalize(projection.ray_world(
-                (x + 0.5) * view.width_px / kProbes, (y + 0.5) * view.height_px / kProbes));
-            const double along = glm::dot(ray, ball.center_world - view.camera.eye_world);
-            const double miss_2 = distance * distance - along * along;
+            const double x_px = (x + 0.5) * view.width_px / kProbes;
+            const double y_px = (y + 0.5) * view.height_px / kProbes;
+            const glm::dvec3 ray = glm::normalize(projection.ray_world(x_px, y_px));
+            const glm::dvec3 way = ball.center_world - projection.ray_begin_world(x_px, y_px);
+            const double along = glm::dot(ray, way);
+            const double miss_2 = glm::dot(way, way) - along * along;
             hits += seen.is_inside || (along > 0 && miss_2 <= ball.radius * ball.radius);
         }
     }

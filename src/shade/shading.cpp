@@ -99,14 +99,13 @@ class SeenTriangle {
   public:
     SeenTriangle(const PaintJob& job, std::uint32_t index) {
         const auto& [a, b, c] = job.surface.triangles[index];
-        const glm::dvec3 opposite_a = glm::cross(job.p_clip[b], job.p_clip[c]);
-        const double det = glm::dot(job.p_clip[a], opposite_a);
+        const glm::dvec3 p_a = corner(job, a), p_b = corner(job, b), p_c = corner(job, c);
+        const glm::dvec3 opposite_a = glm::cross(p_b, p_c);
+        const double det = glm::dot(p_a, opposite_a);
         const std::size_t side =
             det > 0 ? 1 : 0;  // y points down, z away: fronts turn the negative way
         const double sign = det > 0 ? 1 : -1;
-        rows_ = {sign * opposite_a,
-                 sign * glm::cross(job.p_clip[c], job.p_clip[a]),
-                 sign * glm::cross(job.p_clip[a], job.p_clip[b])};
+        rows_ = {sign * opposite_a, sign * glm::cross(p_c, p_a), sign * glm::cross(p_a, p_b)};
         const std::uint32_t spot = job.spots.of.empty() ? UniformSpots::kNone : job.spots.of[index];
         if (spot != UniformSpots::kNone) {
             uniform_ = &job.tones.spots[side][spot];
@@ -136,6 +135,12 @@ class SeenTriangle {
     }
 
   private:
+    /// By coordinates that are linear along lines of the world.
+    static glm::dvec3 corner(const PaintJob& job, std::uint32_t index) {
+        const glm::dvec3& p_clip = job.p_clip[index];
+        return job.frame.view.camera.is_parallel() ? p_clip / p_clip.z : p_clip;
+    }
+
     std::array<glm::dvec3, 3> rows_;
     const Tone* uniform_ = nullptr;
     std::array<const Tone*, 3> tones_{};

@@ -6,8 +6,8 @@
 
 #include "harness/view_cells.h"
 #include "method/method_config.h"
-#include "scene/camera_path.h"
 #include "scene/scene.h"
+#include "scene/views/camera_path.h"
 #include "studies/motion_table.h"
 
 namespace ink::studies {

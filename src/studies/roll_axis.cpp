@@ -13,9 +13,9 @@
 #include "catalogue/shapes.h"
 #include "core/parallel.h"
 #include "harness/cell.h"
-#include "scene/camera_path.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
+#include "scene/views/camera_path.h"
 #include "score/drawing.h"
 #include "score/motion.h"
 #include "studies/motion_study.h"
@@ -69,7 +69,7 @@ std::optional<glm::dvec3> flat_normal(const scene::Surface& surface,
     for (const std::uint32_t corner : corners) {
         if (surface.n_world[corner] != n_world) return std::nullopt;
     }
-    const glm::dvec3 to_eye_world = camera.eye_world - surface.p_world[corners[0]];
+    const glm::dvec3 to_eye_world = -camera.viewpoint().sight(surface.p_world[corners[0]]);
     const double side = glm::dot(to_eye_world, glm::dvec3(n_world)) < 0 ? -1 : 1;
     return side * (camera.view_from_world * glm::dvec3(n_world));
 }

@@ -18,7 +18,7 @@
 #include "harness/timing.h"
 #include "raster/mesh/mesh_pass.h"
 #include "scene/animation.h"
-#include "scene/camera_path.h"
+#include "scene/views/camera_path.h"
 #include "shade/compose.h"
 #include "shade/hand_lines.h"
 #include "shade/shading.h"

@@ -16,12 +16,14 @@ namespace {
 
 constexpr std::size_t kChunk = 64;  ///< curves a task
 
-/// The middle of a piece on the image, in space: 1/w is linear along it.
+/// The middle of a piece on the image, in space: 1/w is linear along it, or under a parallel camera
+/// w.
 glm::dvec3 middle_of(const EyeView& eye, const Curve& curve, double& w) {
-    w = 2 * curve.begin.w * curve.end.w / (curve.begin.w + curve.end.w);
+    const double begin = curve.begin.w, end = curve.end.w;
+    w = eye.eye().is_direction ? (begin + end) / 2 : 2 * begin * end / (begin + end);
     const double x_px = (curve.begin.x_px + curve.end.x_px) / 2;
     const double y_px = (curve.begin.y_px + curve.end.y_px) / 2;
-    return eye.eye_world() + w * eye.projection.ray_world(x_px, y_px);
+    return eye.projection.at(x_px, y_px, w);
 }
 
 /// The parameter on an edge of a point that lies on it but for rounding.
@@ -64,7 +66,7 @@ float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const LinePoint& poin
     const glm::dvec3& on_face = topology.p_world[topology.faces[hit.face].vertices[0]];
     // From the point, not from the eye: what touches the line is 0 behind it, not a rounding.
     const double beyond = glm::dot(normal, on_face - point.p_world);
-    const double along = glm::dot(normal, point.p_world - eye.eye_world());
+    const double along = glm::dot(normal, eye.projection.sight_to(point.p_world).way_world);
     return along == 0 ? 0.0F : static_cast<float>(std::max(0.0, beyond / along * point.w));
 }
 
@@ -107,7 +109,7 @@ std::size_t fill_one(const EyeView& eye, const Visibility& visibility, Curve& cu
             topology.p_world[edge.a] + t * (topology.p_world[edge.b] - topology.p_world[edge.a]);
         fill_faces(eye, t, curve);
     }
-    const glm::dvec3 to_point = p_world - eye.eye_world();
+    const glm::dvec3 to_point = eye.eye().sight(p_world);
     curve.view_angle_rad =
         curve.face0 == kNoTriangle ? 0 : view_angle_rad(eye, curve.face0, to_point);
     if (curve.empty_side == 0) {

@@ -20,7 +20,7 @@ DrawnLines trace_drawn_lines(const Model& model,
                              Hidden hidden) {
     if (view.width_px <= 0 || view.height_px <= 0) return {};
     const EyeView eye(model, view, trace.threads);
-    const EyeScene scene(model.topology, view.camera.eye_world, trace.threads);
+    const EyeScene scene(model.topology, view.camera, trace.threads);
     TracedLines lines = trace_lines(eye, scene, trace, hidden);
     return {joined_by_class(std::move(lines.curves)), joined_by_class(std::move(lines.hidden))};
 }

@@ -151,6 +151,9 @@ inline RTCRay make_ray(const glm::dvec3& direction, float near, float far) {
 /// Puts it into a packet of them.
 template <class Packet>
 void put(const RTCRay& ray, std::size_t i, Packet& packet) {
+    packet.org_x[i] = ray.org_x;
+    packet.org_y[i] = ray.org_y;
+    packet.org_z[i] = ray.org_z;
     packet.dir_x[i] = ray.dir_x;
     packet.dir_y[i] = ray.dir_y;
     packet.dir_z[i] = ray.dir_z;

@@ -35,13 +35,6 @@ double unit_scale(const scene::Topology& topology, const glm::dvec3& eye_world) 
     return farthest > 0 ? std::ldexp(1.0, -std::ilogb(farthest) - 1) : 1.0;
 }
 
-RTCRay make_ray(const EyeRay& ray, double scale) {
-    const double length = glm::length(ray.direction_world);
-    return embree::make_ray(ray.direction_world / length,
-                            static_cast<float>(ray.t_near * length * scale),
-                            static_cast<float>(ray.t_far * length * scale));
-}
-
 void confirm_any(const RTCFilterFunctionNArguments* args) {
     auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
     for (unsigned i = 0; i < args->N; ++i) {
@@ -95,29 +88,47 @@ void keep_lowest_first(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-EyeScene::EyeScene(const scene::Topology& topology, const glm::dvec3& eye_world, int threads)
-    : handles_(std::make_unique<Handles>()), scale_(unit_scale(topology, eye_world)) {
+EyeScene::EyeScene(const scene::Topology& topology, const scene::Camera& camera, int threads)
+    : handles_(std::make_unique<Handles>()),
+      eye_world_(camera.eye_world),
+      is_parallel_(camera.is_parallel()),
+      scale_(unit_scale(topology, camera.eye_world)) {
     embree::build(*handles_, topology, threads, "truth", [&](const glm::dvec3& p_world) {
-        return (p_world - eye_world) * scale_;
+        return (p_world - eye_world_) * scale_;
     });
 }
+
+/// A line of sight as Embree has it.
+struct EyeScene::Ray : RTCRay {
+    Ray(const EyeScene& scene, const scene::SightLine& line, const RayRange& range)
+        : RTCRay(embree::make_ray(
+              line.way_world / glm::length(line.way_world),
+              static_cast<float>(range.t_near * glm::length(line.way_world) * scene.scale_),
+              static_cast<float>(range.t_far * glm::length(line.way_world) * scene.scale_))) {
+        if (!scene.is_parallel_) return;
+        const glm::dvec3 begin = (line.begin_world - scene.eye_world_) * scene.scale_;
+        org_x = static_cast<float>(begin.x);
+        org_y = static_cast<float>(begin.y);
+        org_z = static_cast<float>(begin.z);
+    }
+};
 
 EyeScene::~EyeScene() = default;
 
 bool EyeScene::any_of(const EyeRay& ray, Callback confirm) const {
     EyeSceneQuery query(confirm);
-    RTCRay rtc_ray = make_ray(ray, scale_);
+    RTCRay rtc_ray = Ray(*this, ray, {ray.t_near, ray.t_far});
     embree::occluded(handles_->scene, query.context, &confirm_any, rtc_ray);
     return rtc_ray.tfar < 0;
 }
 
-bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
+bool EyeScene::any_of_packet(const std::array<scene::SightLine, 4>& lines,
                              const RayRange& range,
                              Callback confirm) const {
     EyeSceneQuery query(confirm);
     RTCRay4 packet{};
     for (std::size_t i = 0; i < 4; ++i)
-        embree::put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet);
+        embree::put(Ray(*this, lines[i], range), i, packet);
     embree::occluded_4(handles_->scene, query.context, &confirm_any, packet);
     return std::any_of(packet.tfar, packet.tfar + 4, [](float t) { return t < 0; });
 }
@@ -125,16 +136,16 @@ bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
 std::optional<EyeScene::Hit> EyeScene::first_of(const EyeRay& ray, Callback confirm) const {
     EyeSceneQuery query(confirm);
     RTCRayHit rtc_ray{};
-    rtc_ray.ray = make_ray(ray, scale_);
+    rtc_ray.ray = Ray(*this, ray, {ray.t_near, ray.t_far});
     rtc_ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     embree::intersect(handles_->scene, query.context, &confirm_first, rtc_ray);
     if (rtc_ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const double length = glm::length(ray.direction_world);
+    const double length = glm::length(ray.way_world);
     return Hit{rtc_ray.hit.primID, rtc_ray.ray.tfar / (length * scale_)};
 }
 
 std::array<std::optional<EyeScene::Hit>, 16> EyeScene::first_of_sixteen(
-    const std::array<glm::dvec3, 16>& directions_world,
+    const std::array<scene::SightLine, 16>& lines,
     const RayRange& range,
     std::uint32_t valid) const {
     PacketQuery query{};
@@ -145,14 +156,14 @@ std::array<std::optional<EyeScene::Hit>, 16> EyeScene::first_of_sixteen(
     alignas(64) std::array<int, 16> is_valid{};
     for (std::size_t i = 0; i < 16; ++i) {
         is_valid[i] = (valid >> i & 1U) != 0 ? -1 : 0;
-        embree::put(make_ray({directions_world[i], range.t_near, range.t_far}, scale_), i, packet);
+        embree::put(Ray(*this, lines[i], range), i, packet);
     }
     embree::intersect_16(
         is_valid.data(), handles_->scene, query.context, &keep_lowest_first, packet);
     std::array<std::optional<Hit>, 16> hits;
     for (std::size_t i = 0; i < 16; ++i) {
         if (is_valid[i] == 0 || packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-        const double length = glm::length(directions_world[i]);
+        const double length = glm::length(lines[i].way_world);
         hits[i] = Hit{packet.hit.primID[i], packet.ray.tfar[i] / (length * scale_)};
     }
     return hits;

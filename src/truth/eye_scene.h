@@ -6,15 +6,15 @@
 #include <memory>
 #include <optional>
 
+#include "scene/camera.h"
 #include "scene/topology.h"
 
 namespace ink::truth {
 
-/// A ray from the eye: eye + t * direction_world, t_near <= t <= t_far.
+/// A line of sight: begin_world + t * way_world, t_near <= t <= t_far.
 ///
-/// `direction_world` need not be of unit length; it is rounded to float once it is.
-struct EyeRay {
-    glm::dvec3 direction_world{0};
+/// `way_world` need not be of unit length; it is rounded to float once it is.
+struct EyeRay : scene::SightLine {
     double t_near = 0;
     double t_far = 0;
 };
@@ -25,7 +25,7 @@ struct RayRange {
     double t_far = 0;
 };
 
-/// A welded scene as rays from one eye meet it: an Embree tree of float, eye-relative triangles.
+/// A welded scene as lines of sight meet it: an Embree tree of float, eye-relative triangles.
 ///
 /// Embree's own answer is never the last word: its hits are *candidates* that the caller confirms.
 /// A candidate list may hold triangles that the exact segment misses, and the distance of a hit is
@@ -33,14 +33,14 @@ struct RayRange {
 /// triangles. Thread-safe once built. Keeps no reference to the topology.
 class EyeScene {
   public:
-    EyeScene(const scene::Topology& topology, const glm::dvec3& eye_world, int threads);
+    EyeScene(const scene::Topology& topology, const scene::Camera& camera, int threads);
     ~EyeScene();
     EyeScene(const EyeScene&) = delete;
     EyeScene& operator=(const EyeScene&) = delete;
 
     struct Hit {
         std::uint32_t face = 0;  ///< into Topology::faces
-        double t = 0;            ///< in units of the ray's direction
+        double t = 0;            ///< in units of the ray's way
     };
 
     /// Offers each face along the ray to `confirm(face)`, in no order, until it says yes. True if
@@ -52,10 +52,10 @@ class EyeScene {
 
     /// The same along any of four rays, which are followed together: quick where they run close by.
     template <class Confirm>
-    [[nodiscard]] bool any_of_four(const std::array<glm::dvec3, 4>& directions_world,
+    [[nodiscard]] bool any_of_four(const std::array<scene::SightLine, 4>& lines,
                                    const RayRange& range,
                                    Confirm&& confirm) const {
-        return any_of_packet(directions_world, range, {&call<Confirm>, address_of(confirm)});
+        return any_of_packet(lines, range, {&call<Confirm>, address_of(confirm)});
     }
 
     /// The nearest face along the ray that `confirm(face)` accepts; of equally near ones the
@@ -69,7 +69,7 @@ class EyeScene {
     /// lowest: what `first` says of each if it accepts every face, only faster. Rays whose bit in
     /// `valid` is 0 are not cast and meet nothing.
     [[nodiscard]] std::array<std::optional<Hit>, 16> first_of_sixteen(
-        const std::array<glm::dvec3, 16>& directions_world,
+        const std::array<scene::SightLine, 16>& lines,
         const RayRange& range,
         std::uint32_t valid) const;
 
@@ -87,14 +87,17 @@ class EyeScene {
         return (*static_cast<std::remove_reference_t<Confirm>*>(object))(face);
     }
     [[nodiscard]] bool any_of(const EyeRay& ray, Callback confirm) const;
-    [[nodiscard]] bool any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
+    [[nodiscard]] bool any_of_packet(const std::array<scene::SightLine, 4>& lines,
                                      const RayRange& range,
                                      Callback confirm) const;
     [[nodiscard]] std::optional<Hit> first_of(const EyeRay& ray, Callback confirm) const;
 
     struct Handles;
+    struct Ray;
     friend struct EyeSceneQuery;
     std::unique_ptr<Handles> handles_;
+    glm::dvec3 eye_world_;
+    bool is_parallel_;
     double scale_ =
         1;  ///< a power of two that brings the scene near 1, so that floats never overflow
 };

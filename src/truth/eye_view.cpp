@@ -23,7 +23,7 @@ bool hides(const EyeView& eye, const scene::Edge& edge, std::uint32_t f0, std::u
     const std::uint32_t v1 = scene::opposite_vertex(topology.faces[f1], edge);
     const int other = scene::sure_orient3d(point(edge.a), point(edge.b), point(v0), point(v1));
     if (other == 0) return f0 < f1;
-    return other != scene::orient3d(p[edge.a], p[edge.b], p[v0], eye.eye_world());
+    return other != scene::orient3d(p[edge.a], p[edge.b], p[v0], eye.eye());
 }
 
 LineClass class_of(const EyeView& eye, std::uint32_t e) {
@@ -52,7 +52,8 @@ double gap_at(const Continuation& c, double t) {
 double change_of_sight(const EyeView& eye, const Continuation& c) {
     const scene::Edge& edge = eye.model.topology.edges[c.edge];
     const auto excess = [&](double t) {
-        return gap_at(c, t) * eye.projection.focal_px() - scene::kUnseen_px * eye.depth_at(edge, t);
+        return gap_at(c, t) * eye.projection.focal_px() -
+               scene::kUnseen_px * eye.clip_at(edge, t).z;
     };
     const double at_begin = excess(c.t_begin), at_end = excess(c.t_end);
     if ((at_begin < 0) == (at_end < 0)) return -1;
@@ -103,13 +104,13 @@ EyeView::EyeView(const Model& model_, const scene::View& view, int threads)
     const scene::Topology& topology = model.topology;
     p_clip.resize(topology.p_world.size());
     core::parallel_for_chunks(p_clip.size(), kChunk, threads, [&](std::size_t v) {
-        p_clip[v] = projection.to_clip(topology.p_world[v]);
+        p_clip[v] = projection.to_homogeneous(topology.p_world[v]);
     });
     facing.resize(topology.faces.size());
     core::parallel_for_chunks(facing.size(), kChunk, threads, [&](std::size_t f) {
         const auto& [a, b, c] = topology.faces[f].vertices;
         const auto& p = topology.p_world;
-        facing[f] = static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye_world()));
+        facing[f] = static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye()));
     });
     edge_class.resize(topology.edges.size());
     core::parallel_for_chunks(edge_class.size(), kChunk, threads, [&](std::size_t e) {
@@ -132,11 +133,10 @@ SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
 bool EyeView::goes_on(const Continuation& continuation, double t) const {
     const scene::Topology& topology = model.topology;
     const scene::Edge& edge = topology.edges[continuation.edge];
-    if (!is_unseen(gap_at(continuation, t), depth_at(edge, t))) return false;
-    const glm::dvec3 a = topology.p_world[edge.a] - eye_world();
-    const glm::dvec3 b = topology.p_world[edge.b] - eye_world();
+    if (!is_unseen(gap_at(continuation, t), clip_at(edge, t))) return false;
+    const glm::dvec3 plane = eye().plane(topology.p_world[edge.a], topology.p_world[edge.b]);
     // orient3d(a, b, eye, v) has the sign of -(a x b).(v - a), where v is beyond the edge.
-    const double across = -glm::dot(glm::cross(a, b), continuation.into_world);
+    const double across = -glm::dot(plane, continuation.into_world);
     return side(edge, 0) * across < 0;
 }
 

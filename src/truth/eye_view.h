@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "scene/camera.h"
@@ -28,13 +28,13 @@ struct EyeView {
     int width_px = 0;
     int height_px = 0;
     double near = 0;
-    std::vector<glm::dvec3> p_clip;     ///< per vertex, (x, y, w) as Projection::to_clip has them
+    std::vector<glm::dvec4> p_clip;     ///< per vertex, as Projection::to_homogeneous has it
     std::vector<std::int8_t> facing;    ///< per face: 1 front, -1 back, 0 edge-on, exact
     std::vector<LineClass> edge_class;  ///< per edge, by its own faces; class_at has the rest
 
     EyeView(const Model& model, const scene::View& view, int threads);
 
-    [[nodiscard]] const glm::dvec3& eye_world() const { return projection.eye_world(); }
+    [[nodiscard]] const scene::Viewpoint& eye() const { return projection.viewpoint(); }
 
     /// On which side of the plane through the eye and the edge its i-th face lies: 1, -1, or 0 for
     /// a face in that plane. Exact.
@@ -51,15 +51,18 @@ struct EyeView {
     /// the eye sees its rim), and the gap between them is too small for the image.
     [[nodiscard]] bool goes_on(const Continuation& continuation, double t) const;
 
-    /// Distance along the view direction of the point t of an edge.
-    [[nodiscard]] double depth_at(const scene::Edge& edge, double t) const {
-        return p_clip[edge.a].z + t * (p_clip[edge.b].z - p_clip[edge.a].z);
+    /// The point t of an edge.
+    [[nodiscard]] glm::dvec4 clip_at(const scene::Edge& edge, double t) const {
+        return p_clip[edge.a] + t * (p_clip[edge.b] - p_clip[edge.a]);
     }
+    /// Whether a point lies before the near plane, by a function that is linear along lines.
+    [[nodiscard]] bool is_before_near(const glm::dvec4& p) const { return behind_near(p) < 0; }
+    [[nodiscard]] double behind_near(const glm::dvec4& p) const { return p.z - near * p.w; }
 
-    /// Whether the image is too coarse to show a length at this distance along the view direction:
-    /// it takes less than 1/64 px there.
-    [[nodiscard]] bool is_unseen(double length_world, double w) const {
-        return length_world * projection.focal_px() < scene::kUnseen_px * std::max(w, near);
+    /// Whether the image is too coarse to show a length at a point: it takes less than 1/64 px
+    /// there.
+    [[nodiscard]] bool is_unseen(double length_world, const glm::dvec4& p) const {
+        return length_world * projection.focal_px() < scene::kUnseen_px * std::max(p.z, near * p.w);
     }
 
     /// The class of a point of an edge: edge_class, save that a stretch of boundary across which

@@ -43,7 +43,7 @@ double doubt_of(const scene::Topology& topology, const Crossing& crossing) {
 }  // namespace
 
 double ScreenLine::segment_parameter(double s) const {
-    const double along = s * w_begin / ((1 - s) * w_end + s * w_begin);
+    const double along = s * h_begin / ((1 - s) * h_end + s * h_begin);
     return t_begin + along * (t_end - t_begin);
 }
 
@@ -51,20 +51,23 @@ LinePoint ScreenLine::line_point(double s) const {
     const double t = segment_parameter(s);
     return {segment.edge,
             segment.a_world + t * (segment.b_world - segment.a_world),
-            w_at(s),
+            depth_at(s),
             segment.crossing,
             segment.noise_world,
             segment.doubt_world};
 }
 
-double ScreenLine::w_at(double s) const {
-    return w_begin * w_end / ((1 - s) * w_end + s * w_begin);
+double ScreenLine::depth_at(double s) const {
+    // In perspective h is the depth, and 1/h linear on the screen; else the depth is.
+    if (h_begin == depth_begin && h_end == depth_end)
+        return h_begin * h_end / ((1 - s) * h_end + s * h_begin);
+    return depth_begin + s * (depth_end - depth_begin);
 }
 
 CurvePoint ScreenLine::point_at(double s) const {
     return {begin_px.x + s * (end_px.x - begin_px.x),
             begin_px.y + s * (end_px.y - begin_px.y),
-            w_at(s)};
+            depth_at(s)};
 }
 
 WorldSegment segment_of(const EyeView& eye, std::uint32_t e) {
@@ -85,30 +88,32 @@ WorldSegment segment_of(const EyeView& eye, const Crossing& crossing) {
             .doubt_world = doubt_of(eye.model.topology, crossing),
             .a_world = a,
             .b_world = b,
-            .a_clip = eye.projection.to_clip(a),
-            .b_clip = eye.projection.to_clip(b)};
+            .a_clip = eye.projection.to_homogeneous(a),
+            .b_clip = eye.projection.to_homogeneous(b)};
 }
 
 std::optional<ScreenLine> clip_to_image(const EyeView& eye,
                                         const WorldSegment& segment,
                                         const ClassStretch& stretch) {
-    const glm::dvec3& a = segment.a_clip;
-    const glm::dvec3& b = segment.b_clip;
+    const glm::dvec4& a = segment.a_clip;
+    const glm::dvec4& b = segment.b_clip;
     double t0 = stretch.t_begin, t1 = stretch.t_end;
     const double width = eye.width_px, height = eye.height_px;
-    if (!clip_to_positive(a.z - eye.near, b.z - eye.near, t0, t1) ||
+    if (!clip_to_positive(eye.behind_near(a), eye.behind_near(b), t0, t1) ||
         !clip_to_positive(a.x, b.x, t0, t1) ||
         !clip_to_positive(width * a.z - a.x, width * b.z - b.x, t0, t1) ||
         !clip_to_positive(a.y, b.y, t0, t1) ||
         !clip_to_positive(height * a.z - a.y, height * b.z - b.y, t0, t1)) {
         return std::nullopt;
     }
-    const glm::dvec3 begin = t0 == 0 ? a : a + t0 * (b - a);
-    const glm::dvec3 end = t1 == 1 ? b : a + t1 * (b - a);
+    const glm::dvec4 begin = t0 == 0 ? a : a + t0 * (b - a);
+    const glm::dvec4 end = t1 == 1 ? b : a + t1 * (b - a);
     ScreenLine line{
         .segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
-    line.w_begin = begin.z;
-    line.w_end = end.z;
+    line.h_begin = begin.z;
+    line.h_end = end.z;
+    line.depth_begin = eye.projection.depth_of(begin.z / begin.w);
+    line.depth_end = eye.projection.depth_of(end.z / end.w);
     line.begin_px = glm::dvec2(begin) / begin.z;
     line.end_px = glm::dvec2(end) / end.z;
     line.length_px = std::hypot(line.end_px.x - line.begin_px.x, line.end_px.y - line.begin_px.y);

@@ -13,17 +13,20 @@ constexpr double kAtHit_px = 1e-3;  ///< design, section 5: an end triangle this
 constexpr double kCrack_px = 1.0 / 64;  ///< ends of two borders this near are the same to any eye
 constexpr int kMostSteps = 100000;      ///< faces a walk may cross; against endless loops only
 
-/// A point of the mesh above the segment's line, in the plane of that line and the eye: s = u / w.
+/// A point of the mesh above the segment's line, in the plane of that line and the eye: s = u / h,
+/// 1/w = q / h.
 struct PlanePoint {
     double u = 0;
-    double w = 0;
-    [[nodiscard]] double s() const { return u / w; }
+    double h = 0;
+    double q = 0;
+    [[nodiscard]] double s() const { return u / h; }
+    [[nodiscard]] double inverse_w() const { return q / h; }
 };
 
 /// Above zero if p lies further along the segment than o on a face that holds both, as far as the
-/// face is before the eye; holds for w of either sign.
+/// face is before the eye; holds for h of either sign.
 double ahead(const PlanePoint& p, const PlanePoint& o) {
-    return p.u * o.w - o.u * p.w;
+    return p.u * o.h - o.u * p.h;
 }
 
 /// Where a walk passes over an edge.
@@ -52,19 +55,19 @@ class Walker {
                 return;
             }
             const auto exit = leave(face, entered, s, out);
-            if (!exit || exit->point.w < eye_.near || exit->point.s() < s - kAtHit_px) return;
+            if (!exit || is_near(exit->point) || exit->point.s() < s - kAtHit_px) return;
             if (exit->point.s() > 1 + kAtHit_px) {
                 look_round(face, goal, out);
                 return;
             }
             s = exit->point.s();
             if (eye_.class_at(exit->edge, exit->t) != LineClass::none) {
-                out.feature = {exit->edge, s, 1 / exit->point.w};
+                out.feature = {exit->edge, s, exit->point.inverse_w()};
                 return;
             }
             const SeenSheet next = across(*exit, face);
             if (next.face == kNoFace && next.border != kNoEdge) {
-                out.feature = {next.border, s, 1 / exit->point.w};
+                out.feature = {next.border, s, exit->point.inverse_w()};
                 return;
             }
             if (next.face != kNoFace && is_break(exit->edge, face, next.face))
@@ -75,10 +78,11 @@ class Walker {
     }
 
   private:
-    [[nodiscard]] double height(const glm::dvec3& p) const {
+    [[nodiscard]] bool is_near(const PlanePoint& p) const { return p.h < eye_.near * p.q; }
+    [[nodiscard]] double height(const glm::dvec4& p) const {
         return pair_.dx != 0 ? p.y - pair_.y_px * p.z : p.x - pair_.x_px * p.z;
     }
-    [[nodiscard]] double along(const glm::dvec3& p) const {
+    [[nodiscard]] double along(const glm::dvec4& p) const {
         return pair_.dx != 0 ? (p.x - pair_.x_px * p.z) * pair_.dx
                              : (p.y - pair_.y_px * p.z) * pair_.dy;
     }
@@ -87,12 +91,13 @@ class Walker {
     /// crossed at two of its edges or none, and both its neighbours agree.
     [[nodiscard]] std::optional<Passage> crossing(std::uint32_t e) const {
         const scene::Edge& edge = eye_.model.topology.edges[e];
-        const glm::dvec3& a = eye_.p_clip[edge.a];
-        const glm::dvec3& b = eye_.p_clip[edge.b];
+        const glm::dvec4& a = eye_.p_clip[edge.a];
+        const glm::dvec4& b = eye_.p_clip[edge.b];
         const double height_a = height(a), height_b = height(b);
         if ((height_a >= 0) == (height_b >= 0)) return std::nullopt;
         const double t = height_a / (height_a - height_b);
-        return Passage{e, t, {along(a) + t * (along(b) - along(a)), a.z + t * (b.z - a.z)}};
+        const double u = along(a) + t * (along(b) - along(a));
+        return Passage{e, t, {u, a.z + t * (b.z - a.z), a.w + t * (b.w - a.w)}};
     }
 
     /// The crossing through which the walk leaves a face; notes the face's piece of the profile.
@@ -118,8 +123,9 @@ class Walker {
         const PlanePoint& o = exit->point;
         const double scale = ahead(o, p);
         if (scale != 0) {
-            const double end = o.w < eye_.near ? std::numeric_limits<double>::infinity() : o.s();
-            out.pieces.push_back({s, end, (p.w - o.w) / scale, (o.u - p.u) / scale});
+            const double end = is_near(o) ? std::numeric_limits<double>::infinity() : o.s();
+            out.pieces.push_back(
+                {s, end, (p.h * o.q - o.h * p.q) / scale, (o.u * p.q - p.u * o.q) / scale});
         }
         return exit;
     }
@@ -174,7 +180,8 @@ class Walker {
                                std::uint32_t from,
                                std::uint32_t to) const {
         const auto px = [&](std::uint32_t v) {
-            return glm::dvec2(eye_.p_clip[v]) / std::max(eye_.p_clip[v].z, eye_.near);
+            const glm::dvec4& p = eye_.p_clip[v];
+            return glm::dvec2(p) / std::max(p.z, eye_.near * p.w);
         };
         const glm::dvec2 a = px(edge.a), along = px(edge.b) - a;
         const auto height = [&](std::uint32_t v) {
@@ -189,8 +196,8 @@ class Walker {
     }
 
     [[nodiscard]] bool is_near(std::uint32_t v, std::uint32_t other) const {
-        const glm::dvec3 &a = eye_.p_clip[v], &b = eye_.p_clip[other];
-        if (a.z < eye_.near || b.z < eye_.near) return v == other;
+        const glm::dvec4 &a = eye_.p_clip[v], &b = eye_.p_clip[other];
+        if (eye_.is_before_near(a) || eye_.is_before_near(b)) return v == other;
         return std::hypot(a.x / a.z - b.x / b.z, a.y / a.z - b.y / b.z) <= kCrack_px;
     }
 
@@ -221,9 +228,8 @@ class Walker {
             if (eye_.class_at(e, *t) == LineClass::none) {
                 out.reached = true;
             } else {
-                const double w =
-                    eye_.p_clip[edge.a].z + *t * (eye_.p_clip[edge.b].z - eye_.p_clip[edge.a].z);
-                out.feature = {e, 1, 1 / w};
+                const glm::dvec4 p = eye_.clip_at(edge, *t);
+                out.feature = {e, 1, p.w / p.z};
             }
             return;
         }
@@ -231,8 +237,8 @@ class Walker {
 
     /// The parameter of the edge's point nearest to s = 1 on the screen, if it is within 1e-3 px.
     [[nodiscard]] std::optional<double> near_end(const scene::Edge& edge) const {
-        const glm::dvec3& a = eye_.p_clip[edge.a];
-        const glm::dvec3& b = eye_.p_clip[edge.b];
+        const glm::dvec4& a = eye_.p_clip[edge.a];
+        const glm::dvec4& b = eye_.p_clip[edge.b];
         if (a.z <= 0 || b.z <= 0) return std::nullopt;
         const double ax = along(a) / a.z - 1, ay = height(a) / a.z;
         const double dx = along(b) / b.z - 1 - ax, dy = height(b) / b.z - ay;

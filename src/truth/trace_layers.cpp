@@ -14,27 +14,28 @@ namespace {
 
 /// The distance at which the ray direction meets the face's plane, in double, and the cosine there.
 void set_depth(
-    const EyeView& eye, const glm::dvec3& ray, std::uint32_t f, float& w, float& cosine) {
+    const EyeView& eye, const scene::SightLine& ray, std::uint32_t f, float& w, float& cosine) {
     const scene::Topology& topology = eye.model.topology;
     const glm::dvec3 normal = topology.area_vector(f);
-    const double along = glm::dot(normal, ray);
+    const double along = glm::dot(normal, ray.way_world);
     // A triangle seen exactly edge-on, or thinner than its normal can tell, keeps what the ray
     // found.
     if (along == 0) return;
     w = static_cast<float>(
-        glm::dot(normal, topology.p_world[topology.faces[f].vertices[0]] - eye.eye_world()) /
+        glm::dot(normal, topology.p_world[topology.faces[f].vertices[0]] - ray.begin_world) /
         along);
-    cosine = static_cast<float>(std::abs(along) / (glm::length(normal) * glm::length(ray)));
+    cosine =
+        static_cast<float>(std::abs(along) / (glm::length(normal) * glm::length(ray.way_world)));
 }
 
 /// Whether the ray meets the closed triangle, which is not edge-on.
-bool meets(const EyeView& eye, const glm::dvec3& ray, std::uint32_t f) {
+bool meets(const EyeView& eye, const scene::SightLine& ray, std::uint32_t f) {
     const auto& v = eye.model.topology.faces[f].vertices;
     const auto& p = eye.model.topology.p_world;
-    const glm::dvec3 on_ray = eye.eye_world() + ray;
+    const glm::dvec3 on_ray = ray.begin_world + ray.way_world;
     int low = 0, high = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int s = scene::orient3d(eye.eye_world(), on_ray, p[v[i]], p[v[(i + 1) % 3]]);
+        const int s = scene::facing(on_ray, p[v[i]], p[v[(i + 1) % 3]], eye.eye());
         low = std::min(low, s);
         high = std::max(high, s);
     }
@@ -42,7 +43,7 @@ bool meets(const EyeView& eye, const glm::dvec3& ray, std::uint32_t f) {
 }
 
 /// Of the faces that coincide with this one on the ray the lowest.
-std::uint32_t lowest(const EyeView& eye, const glm::dvec3& ray, std::uint32_t face) {
+std::uint32_t lowest(const EyeView& eye, const scene::SightLine& ray, std::uint32_t face) {
     for (const CoplanarPair& pair : eye.model.crossings.coplanar_with(face)) {
         if (meets(eye, ray, pair.lower_face)) return pair.lower_face;
     }
@@ -67,12 +68,13 @@ void trace_grid(const EyeView& eye,
                 const Found& found) {
     const RayRange range{eye.near, std::numeric_limits<double>::infinity()};
     const auto trace_block = [&](int x0, int y0) {
-        std::array<glm::dvec3, kBlock * kBlock> rays;
+        std::array<scene::SightLine, kBlock * kBlock> rays;
         std::uint32_t valid = 0;
         for (int i = 0; i < kBlock * kBlock; ++i) {
             const int x = x0 + i % kBlock, y = y0 + i / kBlock;
-            rays[static_cast<std::size_t>(i)] =
-                eye.projection.ray_world(x + grid.offset_px, y + grid.offset_px);
+            const double x_px = x + grid.offset_px, y_px = y + grid.offset_px;
+            rays[static_cast<std::size_t>(i)] = {eye.projection.ray_begin_world(x_px, y_px),
+                                                 eye.projection.ray_world(x_px, y_px)};
             if (x < grid.width && y < grid.height) valid |= 1U << i;
         }
         const auto hits = scene.first_of_sixteen(rays, range, valid);
@@ -103,14 +105,15 @@ TracedLayers trace_layers(const EyeView& eye, const EyeScene& scene, int threads
     out.layers.patch = core::Image<std::uint32_t>(width, height, kNoTriangle);
     out.layers.n_dot_v = core::Image<float>(width, height, 0);
     out.layers.w = core::Image<float>(width, height, std::numeric_limits<float>::infinity());
-    const auto fill = [&](const glm::dvec3& ray, std::uint32_t face, double t, std::size_t pixel) {
-        out.face.data()[pixel] = face;
-        out.layers.triangle.data()[pixel] = eye.model.topology.faces[face].triangle;
-        out.layers.patch.data()[pixel] = eye.model.patch[face];
-        float& w = out.layers.w.data()[pixel];
-        w = static_cast<float>(t);
-        set_depth(eye, ray, face, w, out.layers.n_dot_v.data()[pixel]);
-    };
+    const auto fill =
+        [&](const scene::SightLine& ray, std::uint32_t face, double t, std::size_t pixel) {
+            out.face.data()[pixel] = face;
+            out.layers.triangle.data()[pixel] = eye.model.topology.faces[face].triangle;
+            out.layers.patch.data()[pixel] = eye.model.patch[face];
+            float& w = out.layers.w.data()[pixel];
+            w = static_cast<float>(t);
+            set_depth(eye, ray, face, w, out.layers.n_dot_v.data()[pixel]);
+        };
     trace_grid(eye, scene, {width, height, 0.5}, threads, fill);
     return out;
 }
@@ -122,7 +125,7 @@ core::Image<std::uint32_t> trace_corners(const EyeView& eye, const EyeScene& sce
                scene,
                {width, height, -kCornerShift_px},
                threads,
-               [&](const glm::dvec3&, std::uint32_t face, double, std::size_t corner) {
+               [&](const scene::SightLine&, std::uint32_t face, double, std::size_t corner) {
                    faces.data()[corner] = face;
                });
     return faces;

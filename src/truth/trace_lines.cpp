@@ -187,9 +187,9 @@ std::vector<std::uint32_t> feature_edges(const EyeView& eye) {
 
 /// Whether two pieces of a cracked surface cross there, overlapping by less than can be seen.
 bool is_unseen_slit(const EyeView& eye, const Crossing& crossing) {
-    const double w = std::min(eye.projection.to_clip(crossing.begin_world).z,
-                              eye.projection.to_clip(crossing.end_world).z);
-    return eye.is_unseen(crossing.slit_world, w);
+    const glm::dvec4 begin = eye.projection.to_homogeneous(crossing.begin_world);
+    const glm::dvec4 end = eye.projection.to_homogeneous(crossing.end_world);
+    return eye.is_unseen(crossing.slit_world, begin.z < end.z ? begin : end);
 }
 
 /// A face seen edge-on has no sides, so a crossing with it is none.

@@ -272,7 +272,7 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
     const auto begin = std::chrono::steady_clock::now();
     if (view.width_px <= 0 || view.height_px <= 0) return {};
     const EyeView eye(model, view, trace.threads);
-    const EyeScene scene(model.topology, view.camera.eye_world, trace.threads);
+    const EyeScene scene(model.topology, view.camera, trace.threads);
 
     Truth truth;
     TracedLines lines = trace_lines(eye, scene, trace);

@@ -26,23 +26,24 @@ double size(const glm::dvec3& v) {
 /// The plane through the eye and two points.
 class Sight {
   public:
-    Sight(const glm::dvec3& eye, const glm::dvec3& q, const glm::dvec3& r)
-        : eye_(eye),
-          normal_(glm::cross(r - eye, q - eye)),
-          noise_(kRounding * size(q - eye) * size(r - eye)) {}
+    Sight(const scene::Viewpoint& eye, const glm::dvec3& q, const glm::dvec3& r)
+        : on_plane_(eye.is_direction ? q : eye.at_world), normal_(eye.plane(r, q)) {
+        const double across = size(eye.is_direction ? q - r : q - on_plane_);
+        noise_ = kRounding * across * size(eye.sight(r));
+    }
 
     /// The side on which a point lies that may be so far off, as orient3d of eye, point, q and r;
     /// 0 if that leaves it open.
     [[nodiscard]] int side(const glm::dvec3& p, double off) const {
-        const glm::dvec3 d = p - eye_;
+        const glm::dvec3 d = p - on_plane_;
         const double height = glm::dot(normal_, d);
         const double bound = off * size(normal_) + noise_ * size(d);
         return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
     }
 
   private:
-    glm::dvec3 eye_, normal_;
-    double noise_;
+    glm::dvec3 on_plane_, normal_;
+    double noise_ = 0;
 };
 
 }  // namespace
@@ -96,7 +97,7 @@ int Visibility::side_by_ends(const LinePoint& point,
                              double slack_world,
                              const glm::dvec3& q,
                              const glm::dvec3& r) const {
-    const glm::dvec3& eye = eye_.eye_world();
+    const scene::Viewpoint& eye = eye_.eye();
     int side_a = 0, side_b = 0;
     if (const Crossing* crossing = point.crossing) {
         const Sight sight(eye, q, r);
@@ -105,10 +106,10 @@ int Visibility::side_by_ends(const LinePoint& point,
     } else {
         const auto& p = eye_.model.topology.p_world;
         const scene::Edge& edge = eye_.model.topology.edges[point.edge];
-        side_a = scene::orient3d(eye, p[edge.a], q, r);
-        side_b = scene::orient3d(eye, p[edge.b], q, r);
+        side_a = scene::facing(p[edge.a], q, r, eye);
+        side_b = scene::facing(p[edge.b], q, r, eye);
     }
-    if (side_a * side_b < 0) return scene::orient3d(eye, point.p_world, q, r);
+    if (side_a * side_b < 0) return scene::facing(point.p_world, q, r, eye);
     return side_a != 0 ? side_a : side_b;
 }
 
@@ -120,7 +121,7 @@ bool Visibility::pierces(std::uint32_t f, const LinePoint& point, double slack_w
     int low = 0, high = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 &q = p[v[i]], &r = p[v[(i + 1) % 3]];
-        int s = Sight(eye_.eye_world(), q, r).side(point.p_world, slack_world + point.noise_world);
+        int s = Sight(eye_.eye(), q, r).side(point.p_world, slack_world + point.noise_world);
         if (s == 0) s = side_by_ends(point, slack_world, q, r);
         low = std::min(low, s);
         high = std::max(high, s);
@@ -134,14 +135,14 @@ double Visibility::depth_of(std::uint32_t f, const LinePoint& point) const {
     const auto& v = eye_.model.topology.faces[f].vertices;
     const auto& p = eye_.model.topology.p_world;
     const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
-    const double along = glm::dot(normal, point.p_world - eye_.eye_world());
-    return glm::dot(normal, p[v[0]] - eye_.eye_world()) / along;
+    const scene::SightLine line = eye_.projection.sight_to(point.p_world);
+    return glm::dot(normal, p[v[0]] - line.begin_world) / glm::dot(normal, line.way_world);
 }
 
 /// Whether the line of sight meets the face's plane in front of the near plane.
 bool Visibility::is_cut_away(std::uint32_t f, const LinePoint& point) const {
     const auto& v = eye_.model.topology.faces[f].vertices;
-    const auto is_near = [&](std::uint32_t i) { return eye_.p_clip[i].z < eye_.near; };
+    const auto is_near = [&](std::uint32_t i) { return eye_.is_before_near(eye_.p_clip[i]); };
     if (!is_near(v[0]) && !is_near(v[1]) && !is_near(v[2])) return false;
     return depth_of(f, point) * point.w < eye_.near;
 }
@@ -172,22 +173,26 @@ bool Visibility::is_visible(const LinePoint& point,
         blocker = face;
         return true;
     };
-    const glm::dvec3 to_point = point.p_world - eye_.eye_world();
     const double t_near = 0.99 * eye_.near / point.w;
     ++rays;
-    if (scene_.any({to_point, t_near, 1 + kPast}, confirm)) return false;
+    const scene::SightLine line = eye_.projection.sight_to(point.p_world);
+    if (scene_.any({line, t_near, 1 + kPast}, confirm)) return false;
     rays += 4;
     return !scene_.any_of_four(beside(point), {t_near, 1 + kPast}, confirm);
 }
 
-/// The ways from the eye to the point's four neighbours on the image.
-std::array<glm::dvec3, 4> Visibility::beside(const LinePoint& point) const {
-    const glm::dvec3 to_point = point.p_world - eye_.eye_world();
+/// The lines of sight to the point's four neighbours on the image.
+std::array<scene::SightLine, 4> Visibility::beside(const LinePoint& point) const {
     // Row vector times rotation: view space back to world.
-    const double step = kBeside * point.w / eye_.projection.focal_px();
+    const double step = kBeside / eye_.projection.px_per_world(point.w);
     const glm::dvec3 right = glm::dvec3(step, 0, 0) * eye_.view_from_world;
     const glm::dvec3 up = glm::dvec3(0, step, 0) * eye_.view_from_world;
-    return {to_point + right, to_point - right, to_point + up, to_point - up};
+    const scene::SightLine line = eye_.projection.sight_to(point.p_world);
+    const auto moved = [&](const glm::dvec3& by) -> scene::SightLine {
+        if (eye_.eye().is_direction) return {line.begin_world + by, line.way_world};
+        return {line.begin_world, line.way_world + by};
+    };
+    return {moved(right), moved(-right), moved(up), moved(-up)};
 }
 
 std::optional<EyeScene::Hit> Visibility::first_behind(const LinePoint& point,
@@ -198,11 +203,9 @@ std::optional<EyeScene::Hit> Visibility::first_behind(const LinePoint& point,
 
 /// The part of the line of sight on which what lies behind a point is looked for.
 EyeRay Visibility::beyond(const LinePoint& point) const {
-    EyeRay ray;
-    ray.direction_world = point.p_world - eye_.eye_world();
-    ray.t_near = 1 - kPast;
-    ray.t_far = std::numeric_limits<double>::infinity();
-    return ray;
+    return {eye_.projection.sight_to(point.p_world),
+            1 - kPast,
+            std::numeric_limits<double>::infinity()};
 }
 
 /// The nearest face behind that any of five rays is offered, of equally near ones the lowest;

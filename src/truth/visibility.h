@@ -66,7 +66,7 @@ class Visibility {
                                           std::size_t& rays) const;
 
   private:
-    [[nodiscard]] std::array<glm::dvec3, 4> beside(const LinePoint& point) const;
+    [[nodiscard]] std::array<scene::SightLine, 4> beside(const LinePoint& point) const;
     [[nodiscard]] EyeRay beyond(const LinePoint& point) const;
     [[nodiscard]] std::uint32_t closely_behind(const LinePoint& point, std::size_t& rays) const;
     [[nodiscard]] double depth_of(std::uint32_t face, const LinePoint& point) const;

@@ -48,6 +48,10 @@ void check_camera(const Json& json, const scene::View& view) {
     expect(
         said.at("near").get<double>() == camera.near && said.at("far").get<double>() == camera.far,
         "near and far are the camera's");
+    if (camera.is_parallel()) {
+        expect(said.at("height").get<double>() == camera.height_world, "the height is its own");
+        return;
+    }
     const double fov_y_rad = said.at("fov_y_deg").get<double>() * std::numbers::pi / 180;
     expect(std::abs(fov_y_rad - camera.fov_y_rad) <= 1e-15 * 4, "the angle is the camera's");
     const Json& rows = json.at("view_from_world");

@@ -13,7 +13,7 @@ void check_scene_cameras(Bytes bytes) {
     const auto is_in_file = [&](const std::string& name) { return file.find(name) != file.npos; };
     for (const import::DaeCamera& camera : import::read_dae_cameras(file))
         expect(is_in_file(camera.node), "a node's name is in the Collada file");
-    for (const std::string& name : import::read_fbx_parallel_cameras(file))
+    for (const auto& [name, width] : import::read_fbx_parallel_cameras(file))
         expect(is_in_file(name), "a node's name is in the FBX file");
 }
 

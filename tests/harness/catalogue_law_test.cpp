@@ -30,6 +30,8 @@ ViewRequest small_views() {
     ViewRequest request;
     request.width_px = 640;
     request.height_px = 360;
+    using enum scene::ProjectionKind;
+    request.projections = {perspective, parallel};
     return request;
 }
 

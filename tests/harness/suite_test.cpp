@@ -105,13 +105,41 @@ TEST(SceneViews, ACameraOfTheUserStandsInTheFilesOwnCoordinates) {
     EXPECT_EQ(camera.view_from_world, glm::dmat3(1)) << "it looks along -z";
 }
 
-TEST(SceneViews, AParallelCameraOfTheFileIsNamed) {
+TEST(SceneViews, ProjectionsAreAsAskedAndBothHaveNames) {
+    using enum scene::ProjectionKind;
+    ViewRequest request;
+    request.orbit_count = 2;
+    request.projections = {perspective, parallel};
+    const auto views = make_scene_views(model(), request).views;
+    ASSERT_EQ(views.size(), 4U);
+    EXPECT_EQ(views[1].camera.name, "view1");
+    EXPECT_EQ(views[3].camera.name, "view1.parallel");
+    EXPECT_FALSE(views[1].camera.is_parallel());
+    EXPECT_TRUE(views[3].camera.is_parallel());
+    request.projections = {parallel};
+    request.height_world = 2.5;
+    const auto high = make_scene_views(model(), request).views;
+    EXPECT_EQ(high[0].camera.name, "view0");
+    EXPECT_EQ(high[0].camera.height_world, 2.5);
+}
+
+TEST(SceneViews, NamedViewsAreParallelUnlessAskedOtherwise) {
+    ViewRequest request;
+    request.directions = {scene::drawing_views()[0]};
+    EXPECT_TRUE(make_scene_views(model(), request).views[0].camera.is_parallel());
+    request.projections = {scene::ProjectionKind::perspective};
+    EXPECT_FALSE(make_scene_views(model(), request).views[0].camera.is_parallel());
+}
+
+TEST(SceneViews, AFilesCameraKeepsItsProjection) {
     scene::Scene scene = model();
-    scene.file.parallel_cameras = {"front"};
+    scene.cameras = scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1.5);
+    scene.cameras[0].height_world = 3;
     ViewRequest request;
     request.file_cameras = true;
-    EXPECT_THAT(core::error_text([&] { return make_scene_views(scene, request); }),
-                testing::HasSubstr("'front' is orthographic"));
+    EXPECT_EQ(make_scene_views(scene, request).views[0].camera.height_world, 3);
+    request.projections = {scene::ProjectionKind::perspective};
+    EXPECT_FALSE(make_scene_views(scene, request).views[0].camera.is_parallel());
 }
 
 TEST(SceneViews, SeamsStandBetweenObjectsOrMaterials) {

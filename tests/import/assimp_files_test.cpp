@@ -77,17 +77,28 @@ TEST(FbxAxes, ThoseThatAreNoneChangeNothing) {
     EXPECT_EQ(y_up_from_fbx({.right = {1, 1}}), glm::dmat4(1)) << "two are the same";
 }
 
-TEST_F(AssimpFiles, OrthographicCamerasAreNamedAndNotDrawn) {
-    const FbxFile parallel{.camera = 1};
-    const scene::Scene fbx = import_scene(write("cam.fbx", parallel.text()));
-    EXPECT_THAT(fbx.cameras, IsEmpty());
-    EXPECT_THAT(fbx.file.parallel_cameras, ElementsAre("Eye"));
-    const FbxFile plain{.camera = 0};
-    EXPECT_EQ(import_scene(write("cam.fbx", plain.text())).cameras.size(), 1U);
-    const scene::Scene dae = import_scene(
-        write("cam.dae", dae_file("<orthographic><xmag>3</xmag><ymag>2</ymag></orthographic>")));
-    EXPECT_THAT(dae.cameras, IsEmpty());
-    EXPECT_THAT(dae.file.parallel_cameras, ElementsAre("eye"));
+TEST_F(AssimpFiles, OrthographicCamerasOfFbxAreAsHighAsTheirZoom) {
+    const auto height = [&](const FbxFile& file) {
+        const scene::Scene scene = import_scene(write("cam.fbx", file.text()));
+        EXPECT_EQ(scene.cameras.size(), 1U);
+        return scene.cameras.at(0).height_world;
+    };
+    EXPECT_EQ(height({.camera = 0}), 0) << "a pinhole";
+    EXPECT_NEAR(height({.camera = 1}), 30, 1e-9);
+    EXPECT_NEAR(height({.camera = 1, .zoom = 0.25}), 7.5, 1e-9);
+    EXPECT_NEAR(height({.unit = 2.54, .camera = 1, .zoom = 0.25}), 19.05, 1e-6) << "in cm";
+}
+
+TEST_F(AssimpFiles, OrthographicCamerasOfColladaAreTwiceTheirMagnification) {
+    const auto height = [&](const std::string& optics) {
+        const scene::Scene scene =
+            import_scene(write("cam.dae", dae_file("<orthographic>" + optics + "</orthographic>")));
+        EXPECT_EQ(scene.cameras.size(), 1U);
+        return scene.cameras.at(0).height_world;
+    };
+    EXPECT_NEAR(height("<xmag>3</xmag><ymag>2</ymag>"), 4, 1e-9);
+    EXPECT_NEAR(height("<ymag>2</ymag><aspect_ratio>3</aspect_ratio>"), 4, 1e-9);
+    EXPECT_NEAR(height("<xmag>3</xmag><aspect_ratio>1.5</aspect_ratio>"), 4, 1e-9);
 }
 
 TEST_F(AssimpFiles, VerticalAnglesOfColladaHold) {
@@ -134,9 +145,11 @@ TEST(FbxCameras, AreFoundInBinaryFiles) {
                        number(300) + text("") + text("Camera") + "\1P" +
                        text("CameraProjectionType") + text("enum") + text("") + text("") + "I";
     put(file, std::int32_t{1});
+    file += "\1P" + text("OrthoZoom") + text("double") + text("Number") + text("A") + "D";
+    put(file, 0.5);
     file += "\5Model" + number(400) + text(std::string("Eye\0\1Model", 10)) + text("Camera") +
             "\1C" + text("OO") + number(300) + number(400);
-    EXPECT_THAT(read_fbx_parallel_cameras(file), ElementsAre("Eye"));
+    EXPECT_THAT(read_fbx_parallel_cameras(file), ElementsAre(testing::Pair("Eye", 15)));
     for (std::size_t size = 0; size < file.size(); ++size)
         EXPECT_THAT(read_fbx_parallel_cameras(file.substr(0, size)), IsEmpty()) << size;
 }

@@ -250,13 +250,15 @@ TEST_F(GltfGeometry, CamerasAreNodes) {
         {{"type", "orthographic"},
          {"orthographic", {{"xmag", 2}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 9}}}}};
     const scene::Scene scene = import_scene(write("cameras.glb", file.bytes()));
-    ASSERT_EQ(scene.cameras.size(), 3U);
+    ASSERT_EQ(scene.cameras.size(), 4U);
     EXPECT_EQ(scene.cameras[0].name, "A");
     EXPECT_EQ(scene.cameras[1].name, "B");
-    EXPECT_EQ(scene.cameras[2].name, "lens");
+    EXPECT_EQ(scene.cameras[2].name, "flat");
+    EXPECT_EQ(scene.cameras[3].name, "lens");
     EXPECT_EQ(scene.cameras[1].eye_world, glm::dvec3(0, 0, 9));
     EXPECT_EQ(scene.cameras[1].fov_y_rad, 0.7);
-    EXPECT_THAT(scene.file.parallel_cameras, ElementsAre("flat"));
+    EXPECT_FALSE(scene.cameras[1].is_parallel());
+    EXPECT_EQ(scene.cameras[2].height_world, 2) << "ymag is half of it";
 }
 
 TEST_F(GltfGeometry, BuffersBesideTheFileAreFoundByTheirDecodedName) {

@@ -139,12 +139,10 @@ TEST(ImportedScene, KeepsNamesOfAnyScript) {
     reply.instances[0].name = "\u5e73\u9762 Gr\u00f6\u00dfe\n\x1b[1m";
     reply.animation_names = {"\xc3"};
     reply.notes = {"two\nlines"};
-    reply.parallel_cameras = {"front"};
     const scene::Scene scene = scene_of(reply);
     EXPECT_EQ(scene.instances[0].name, "\u5e73\u9762 Gr\u00f6\u00dfe ?[1m");
     EXPECT_EQ(scene.file.animation_names.at(0), "?");
     EXPECT_EQ(scene.file.notes.at(0), "two lines");
-    EXPECT_EQ(scene.file.parallel_cameras.at(0), "front");
 }
 
 TEST(ImportedScene, CutsNoCharacterInTwo) {

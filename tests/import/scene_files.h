@@ -16,6 +16,7 @@ struct FbxFile {
     int right = 0, right_sign = 1;
     double unit = 1;
     int camera = -1;
+    double zoom = 1;
 
     [[nodiscard]] std::string text() const {
         const auto setting = [](const char* name, int value) {
@@ -43,12 +44,14 @@ struct FbxFile {
         return fmt::format(
             "NodeAttribute: 300, \"NodeAttribute::lens\", \"Camera\" {{\nProperties70: {{\n"
             "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40.0\n"
-            "P: \"CameraProjectionType\", \"enum\", \"\", \"\",{}\n}}\nTypeFlags: \"Camera\"\n"
+            "P: \"CameraProjectionType\", \"enum\", \"\", \"\",{}\n"
+            "P: \"OrthoZoom\", \"double\", \"Number\", \"A\",{}\n}}\nTypeFlags: \"Camera\"\n"
             "GeometryVersion: 124\n}}\nModel: 400, \"Model::Eye\", \"Camera\" {{\nVersion: 232\n"
             "Properties70: {{\nP: \"Lcl Translation\", \"Lcl Translation\", \"\", "
             "\"A\",0,1,10\n}}\n"
             "}}\n",
-            camera);
+            camera,
+            zoom);
     }
 };
 

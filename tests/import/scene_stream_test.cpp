@@ -25,7 +25,6 @@ ImportReply sample_reply() {
     reply.meshes = {mesh, ImportedMesh{}};
     reply.instances = {
         {.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node", .file_node = 7}};
-    reply.parallel_cameras = {"front"};
     reply.animation_names = {"walk", ""};
     reply.notes = {"a lamp"};
     reply.lights.resize(2);
@@ -88,7 +87,6 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->instances[0].world_from_object, glm::dmat4(2));
     EXPECT_EQ(reply->instances[0].name, "node");
     EXPECT_EQ(reply->instances[0].file_node, 7U);
-    EXPECT_EQ(reply->parallel_cameras, sample_reply().parallel_cameras);
     EXPECT_EQ(reply->animation_names, sample_reply().animation_names);
     EXPECT_EQ(reply->notes, sample_reply().notes);
     ASSERT_EQ(reply->lights.size(), 2U);

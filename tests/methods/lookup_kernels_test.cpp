@@ -47,8 +47,14 @@ TEST(FindFacing, IsThatOfThePredicate) {
     const LookupMesh mesh = make_lookup_mesh(scene, {.crease_rad = 1});
     ASSERT_GT(mesh.faces.size(), 1500U);
     // One of the eyes lies in the plane of a quarter of the faces, one on a vertex.
-    for (const glm::dvec3 eye :
-         {glm::dvec3{0.3, 0.2, 2}, {0.1, -0.7, 0.25}, mesh.p_world[5], {1e6, 3, -1e7}}) {
+    const glm::dvec3 along_a_side = mesh.p_world[1] - mesh.p_world[0];
+    for (const scene::Viewpoint& eye : {scene::Viewpoint{{0.3, 0.2, 2}},
+                                        {{0.1, -0.7, 0.25}},
+                                        {mesh.p_world[5]},
+                                        {{1e6, 3, -1e7}},
+                                        {{0.3, 0.2, 2}, true},
+                                        {{0, 0, -1}, true},
+                                        {along_a_side, true}}) {
         on_every_target([&] {
             std::vector<std::int8_t> facing(mesh.faces.size(), 7);
             find_facing(mesh, eye, 0, 100, facing);
@@ -170,6 +176,9 @@ class PlainSides {
     }
 
   private:
+    [[nodiscard]] static float least(const CodeRule::Bend& bend, float q) {
+        return bend.of_q * q + bend.constant;
+    }
     [[nodiscard]] std::uint32_t word(int x, int y) const {
         return words_.tile.row<std::uint32_t>(0, y)[x];
     }
@@ -191,14 +200,16 @@ class PlainSides {
                                        static_cast<int>(b >> LookupWord::kCodeShift));
             const bool is_flagged = ((a | b) & LookupWord::kFlag) != 0;
             const float nearest = std::max(q1, q2);
-            const bool is_sure = has_sky || (apart >= rule_->trust && !is_flagged &&
-                                             std::max(bend_a, bend_b) > rule_->flat * nearest);
+            const bool is_sure =
+                has_sky || (apart >= rule_->trust && !is_flagged &&
+                            std::max(bend_a, bend_b) > least(rule_->flat, nearest));
             if (is_sure) {
                 pixels.insert({x, y});
                 pixels.insert(is_down ? std::pair{x - 1, y} : std::pair{x, y - 1});
                 return;
             }
-            if (apart < 2 && !is_flagged && !(std::min(bend_a, bend_b) > rule_->jump * nearest))
+            if (apart < 2 && !is_flagged &&
+                !(std::min(bend_a, bend_b) > least(rule_->jump, nearest)))
                 return;
         }
         if (!has_sky && is_open(a & words_.face_bits, b & words_.face_bits)) return;
@@ -222,7 +233,7 @@ TEST(ListSides, AreThoseOfThePlainRule) {
     constexpr std::uint32_t kFaces = 60;
     std::vector<std::int8_t> facing;
     const LookupMesh mesh = any_mesh(kFaces, facing);
-    const CodeRule rule{.jump = 1.5e-4F, .flat = 0.5e-4F, .trust = 4};
+    const CodeRule rule{.jump = {.of_q = 1.5e-4F}, .flat = {.of_q = 0.5e-4F}, .trust = 4};
     for (const glm::ivec2 size : {glm::ivec2{64, 64}, {1, 1}, {17, 5}, {63, 2}, {3, 64}}) {
         for (const bool has_codes : {false, true}) {
             const AnyTile any(size, kFaces, has_codes, static_cast<unsigned>(size.x));

@@ -32,6 +32,9 @@ TEST_P(SkipsOnAScene, LeaveTheImagesOfAllMethodsAlone) {
     if (scene.cameras.size() == 1) {
         views.back().camera = scene::orbit_cameras(bounding_sphere(scene), 1, 1.5).front();
     }
+    views.push_back(views.front());
+    views.back().camera = scene::projected(
+        scene::ProjectionKind::parallel, views.front().camera, bounding_sphere(scene));
     for (const method::MethodInfo& info : registry())
         EXPECT_EQ(breach_of_a_view(maker(info), scene, views), "") << info.name;
 }

@@ -30,13 +30,17 @@ inline scene::Scene cube_on_floor() {
     return scene;
 }
 
-inline scene::View view_from(const scene::Scene& scene,
-                             const glm::dvec3& eye_world,
-                             const glm::dvec3& target_world,
-                             std::pair<int, int> size_px) {
+inline scene::View view_from(
+    const scene::Scene& scene,
+    const glm::dvec3& eye_world,
+    const glm::dvec3& target_world,
+    std::pair<int, int> size_px,
+    scene::ProjectionKind projection = scene::ProjectionKind::perspective) {
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
     scene::View view;
     view.camera = scene::look_at(eye_world, target_world, {0, 1, 0}, 0.7);
-    scene::fit_clip_range(view.camera, scene::bounding_sphere(scene));
+    scene::fit_clip_range(view.camera, bounds);
+    view.camera = scene::projected(projection, view.camera, bounds);
     view.width_px = size_px.first;
     view.height_px = size_px.second;
     return view;

@@ -28,7 +28,7 @@ std::ptrdiff_t count(const std::vector<buffers::KnownEdge>& edges, buffers::Edge
 
 /// What the edge on the z axis is; none where it is not listed.
 buffers::EdgeKind axis_kind(const SoupModels& models, const glm::dvec3& eye) {
-    for (const buffers::KnownEdge& edge : models.lines(eye)) {
+    for (const buffers::KnownEdge& edge : models.lines({eye})) {
         if (edge.a_world + edge.b_world == glm::dvec3(0)) return edge.kind;
     }
     return buffers::EdgeKind::none;
@@ -71,7 +71,7 @@ TEST(SoupModels, OfThreeFacesTheTwoThatAreSeenDecide) {
 TEST(SoupModels, BoundaryEdgesAreSoFromEverywhere) {
     const SoupModels models = posed(faces_on_the_axis({{1, 0, 0}}));
     for (const glm::dvec3 eye : {glm::dvec3{0, 5, 0}, {0, -5, 0}, {5, 0, 0}})
-        EXPECT_EQ(count(models.lines(eye), buffers::EdgeKind::boundary), 3);
+        EXPECT_EQ(count(models.lines({eye}), buffers::EdgeKind::boundary), 3);
 }
 
 /// A cube's edge is a contour if the eye is in front of one of its two faces only.
@@ -95,7 +95,7 @@ TEST(SoupModels, ContoursFollowTheEyeFrameByFrame) {
         // Near enough to see one, two or three faces, round and up and down.
         const glm::dvec3 eye(
             2 * std::cos(angle), 1.5 * std::sin(3 * angle + 0.5), 1.75 * std::sin(angle));
-        const auto lines = models.lines(eye);
+        const auto lines = models.lines({eye});
         EXPECT_EQ(count(lines, buffers::EdgeKind::contour), cube_contours(eye)) << frame;
         EXPECT_EQ(lines.size(), 12U) << frame;
     }
@@ -114,15 +114,15 @@ TEST(EdgeCache, FindsAFrameAgainWhenTheAnimationComesBackToIt) {
     EXPECT_EQ(models.cache_counts().built, 0U);
     models.pose(frame_of(1));
     EXPECT_EQ(models.cache_counts().built, 2U);  // cube and floor
-    const auto first = models.lines({3, 4, 5});
+    const auto first = models.lines({{3, 4, 5}});
     models.pose(frame_of(2));
     EXPECT_EQ(models.cache_counts().built, 3U);
     EXPECT_EQ(models.cache_counts().found, 1U);  // the floor
-    EXPECT_NE(models.lines({3, 4, 5})[0].b_world, first[0].b_world);
+    EXPECT_NE(models.lines({{3, 4, 5}})[0].b_world, first[0].b_world);
     models.pose(frame_of(1));
     EXPECT_EQ(models.cache_counts().built, 3U);
     EXPECT_EQ(models.cache_counts().found, 3U);
-    const auto again = models.lines({3, 4, 5});
+    const auto again = models.lines({{3, 4, 5}});
     ASSERT_EQ(again.size(), first.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
         EXPECT_EQ(again[i].a_world, first[i].a_world);

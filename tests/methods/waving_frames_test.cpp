@@ -153,7 +153,7 @@ std::set<Side> contours_of(const scene::Scene& scene, const glm::dvec3& eye) {
 
 std::set<Side> listed_contours(const SoupModels& models, const glm::dvec3& eye) {
     std::set<Side> found;
-    for (const buffers::KnownEdge& edge : models.lines(eye)) {
+    for (const buffers::KnownEdge& edge : models.lines({eye})) {
         if (edge.kind == buffers::EdgeKind::contour)
             found.insert(side_between(place(edge.a_world), place(edge.b_world)));
     }

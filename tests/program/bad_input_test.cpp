@@ -202,6 +202,13 @@ TEST(BadValue, Camera) {
     expect({"--views", "2", "--up", "0,0,1"}, "--up: there is no --eye");
     for (const char* fov : {"0", "-40", "180", "nan", "wide"})
         expect({"--eye", "1,2,3", "--fov", fov}, "fov");
+    for (const char* height : {"0", "-1", "nan", "inf", "high"})
+        expect({"--eye", "1,2,3", "--parallel", height}, "--parallel");
+    expect({"--eye", "1,2,3", "--fov", "30", "--parallel", "2"}, "--fov: there is a --parallel");
+    expect({"--views", "2", "--fit", "box", "--parallel", "2"}, "--fit box finds the height");
+    expect({"--projection", "perspective", "--parallel", "2"}, "--projection parallel");
+    expect({"--projection", "flat"}, "perspective, parallel, or both");
+    expect({"--projection", "parallel,parallel"}, "named twice");
 }
 
 TEST(BadOutput, WhereNoFolderCanBe) {

@@ -19,6 +19,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ContainsRegex;
 using testing::Each;
 using testing::HasSubstr;
 using testing::Key;
@@ -339,6 +340,12 @@ TEST(Compare, ViewsAreThoseThatWereAskedFor) {
     EXPECT_EQ(views({"--views", "top,iso"}), 2U);
     EXPECT_EQ(only(rows_of(desk, "out"), "mote2").front().at("view"), "top");
     EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("directions = [ 'top', 'iso' ]"));
+    EXPECT_EQ(only(rows_of(desk, "out"), "mote2").front().at("projection"), "parallel");
+    EXPECT_EQ(views({"--views", "2", "--projection", "perspective,parallel"}), 4U);
+    EXPECT_EQ(only(rows_of(desk, "out"), "mote2").back().at("view"), "view1.parallel");
+    EXPECT_THAT(desk.read("out/run.toml"),
+                HasSubstr("projections = [ 'perspective', 'parallel' ]"));
+    EXPECT_EQ(views({"--eye", "3,2,4", "--parallel", "3"}), 1U);
     EXPECT_EQ(views({"--eye", "3,2,4", "--target", "0.5,0.5,0.5", "--up", "0,1,0", "--fov", "30"}),
               1U);
 }
@@ -377,19 +384,28 @@ TEST(Truth, DrawsASheetPerView) {
     const Words cube = "truth cube.obj --size 160x90";
     const std::string told =
         expect_done(desk, cube + "--views front,iso --drawing sheets --hidden --threads 1");
-    EXPECT_THAT(told, HasSubstr("cube.obj iso: sheets/iso.svg, 4 visible, 3 hidden lines"));
+    EXPECT_THAT(told,
+                ContainsRegex("cube.obj iso: sheets/iso.svg, [0-9.]+ x [0-9.]+ mm, 1 mm a unit, "
+                              "4 visible, 3 hidden lines"));
     EXPECT_THAT(told, Not(HasSubstr("behind contours"))) << "lines alone";
     const std::string iso = desk.read("sheets/iso.svg");
     EXPECT_EQ(report::nesting_error(iso), "");
-    EXPECT_THAT(iso, AllOf(HasSubstr(R"(width="42.3333mm")"), HasSubstr("hidden-crease-3")));
+    EXPECT_THAT(iso, AllOf(HasSubstr(R"(width="3.3424mm")"), HasSubstr("hidden-crease-3")));
     EXPECT_THAT(desk.read("sheets/front.svg"), HasSubstr(R"(id="contour-1")"));
 
     expect_done(desk, cube + "--views iso --drawing one.svg --hidden --threads 2");
     EXPECT_EQ(desk.read("one.svg"), iso);
-    expect_done(desk, cube + "--views 3 --view view1 --drawing view1.svg");
     const std::string both =
         expect_done(desk, cube + "--views iso -o a.png --drawing wide.svg --sheet-width 90");
     EXPECT_THAT(both, AllOf(HasSubstr("wide.svg"), HasSubstr("behind contours")));
+    const std::string ten_times =
+        expect_done(desk, cube + "--views iso --drawing ten.svg --scale 10");
+    EXPECT_THAT(ten_times, HasSubstr("10 mm a unit"));
+    EXPECT_THAT(desk.read("ten.svg"), HasSubstr(R"(width="33.4235mm")"));
+    EXPECT_THAT(expect_done(desk, cube + "--views 3 --view view1 --drawing view1.svg"),
+                Not(HasSubstr("a unit")))
+        << "in perspective";
+    EXPECT_THAT(desk.read("view1.svg"), HasSubstr(R"(width="42.3333mm")"));
     EXPECT_THAT(desk.read("wide.svg"), AllOf(HasSubstr("90mm"), Not(HasSubstr("hidden"))));
 }
 
@@ -400,6 +416,10 @@ TEST(Truth, RefusesDrawingsThatCannotBe) {
     };
     expect("--hidden", "--hidden: there is no drawing");
     expect("--sheet-width 80", "--sheet-width: there is no drawing");
+    expect("--scale 8", "--scale: there is no drawing");
+    expect("--drawing a.svg --scale 2", "is in perspective");
+    expect("--drawing a.svg --views iso --scale 2 --sheet-width 80", "--sheet-width beside it");
+    expect("--drawing a.svg --views iso --scale 0", "a unit cannot be 0 mm long");
     expect("--drawing a.svg --sheet-width 0", "no sheet is 0 mm wide");
     expect("--drawing a.svg --views top,iso", "one file has no room for 2 views");
     expect("--drawing a.svg --views 3", "one file has no room for 3 views");

@@ -71,7 +71,8 @@ TEST(Help, ShowsDefaults) {
 TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
     const std::string compare = expect_done({"compare", "--help"});
     for (const std::string& option : Words("--size --out --methods --scenes --set --threads --seed "
-                                           "--views --eye --target --up --fov"))
+                                           "--views --eye --target --up --fov --parallel "
+                                           "--projection"))
         EXPECT_THAT(compare, HasSubstr(option));
     EXPECT_THAT(expect_done({"draw", "--help"}), HasSubstr("-o"));
     const std::string score = expect_done({"score", "--help"});

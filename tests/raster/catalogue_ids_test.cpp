@@ -9,7 +9,13 @@ namespace {
 TEST(IdsAgainstEmbree, EveryCatalogueSceneInEveryView) {
     for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
         const scene::Scene scene = entry.make();
-        expect_same_ids(scene, scene.cameras);
+        std::vector<scene::Camera> cameras = scene.cameras;
+        for (const scene::Camera& camera : scene.cameras) {
+            cameras.push_back(scene::projected(
+                scene::ProjectionKind::parallel, camera, scene::bounding_sphere(scene)));
+            cameras.back().name += ".parallel";
+        }
+        expect_same_ids(scene, cameras);
     }
 }
 

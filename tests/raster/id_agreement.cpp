@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "draw/id_agreement.h"
-#include "scene/corner_view.h"
+#include "scene/views/corner_view.h"
 
 namespace ink::raster {
 namespace {

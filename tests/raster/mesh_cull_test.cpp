@@ -64,7 +64,7 @@ struct Stage {
         std::vector<glm::dvec3> p_clip;
         for (const glm::dvec3& p : surface.p_world)
             p_clip.push_back(transform.to_clip(p));
-        const auto sides = scene::facings(surface, view.camera.eye_world);
+        const auto sides = scene::facings(surface, view.camera.viewpoint());
         std::vector<scene::Triangle> left;
         for (std::size_t i = 0; i < sides.size(); ++i) {
             const Cull drops = sides[i] < 0 ? Cull::back : Cull::front;

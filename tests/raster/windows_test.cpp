@@ -12,8 +12,8 @@
 #include "raster/mesh/mesh_pass.h"
 #include "raster/mesh/mesh_view.h"
 #include "raster/pass/view_transform.h"
-#include "scene/framing.h"
 #include "scene/predicates.h"
+#include "scene/views/framing.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::raster {
@@ -275,15 +275,16 @@ TEST(Windows, OfAScanFromAllRound) {
 }
 
 TEST(Window, ABallIsBehindItWhereTheirConesMeet) {
-    const auto window = Window::of({{0, 0, -10}, 1}, {0, 0, 0}, 0.001);
+    const scene::Viewpoint eye;
+    const auto window = Window::of({{0, 0, -10}, 1}, eye, 0.001);
     ASSERT_TRUE(window);
-    EXPECT_TRUE(window->may_show({{0, 0, -20}, 1}, {0, 0, 0}));
-    EXPECT_TRUE(window->may_show({{3.9, 0, -20}, 2}, {0, 0, 0}));
-    EXPECT_FALSE(window->may_show({{4.5, 0, -20}, 2}, {0, 0, 0}));
-    EXPECT_FALSE(window->may_show({{0, 0, -5}, 1}, {0, 0, 0})) << "before it";
-    EXPECT_FALSE(window->may_show({{0, 0, 20}, 1}, {0, 0, 0})) << "behind the eye";
-    EXPECT_TRUE(window->may_show({{0, 0, 20}, 21}, {0, 0, 0})) << "it holds the eye";
-    EXPECT_FALSE(Window::of({{0, 0, -10}, 11}, {0, 0, 0}, 0.001));
+    EXPECT_TRUE(window->may_show({{0, 0, -20}, 1}, eye));
+    EXPECT_TRUE(window->may_show({{3.9, 0, -20}, 2}, eye));
+    EXPECT_FALSE(window->may_show({{4.5, 0, -20}, 2}, eye));
+    EXPECT_FALSE(window->may_show({{0, 0, -5}, 1}, eye)) << "before it";
+    EXPECT_FALSE(window->may_show({{0, 0, 20}, 1}, eye)) << "behind the eye";
+    EXPECT_TRUE(window->may_show({{0, 0, 20}, 21}, eye)) << "it holds the eye";
+    EXPECT_FALSE(Window::of({{0, 0, -10}, 11}, eye, 0.001));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-"""A pinhole camera: right-handed, y up; on the image x runs right, y down, from the top left."""
+"""A camera: right-handed, y up; on the image x runs right, y down, from the top left."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,6 +17,7 @@ class Camera:
     fov_deg: float  # vertical
     width_px: int
     height_px: int
+    parallel_height: float = 0.0  # that a parallel camera sees; 0: it is a pinhole
 
     def axes(self):
         """Rows: right, up, forward; world space, unit."""
@@ -28,7 +29,7 @@ class Camera:
         return self.height_px / (2 * np.tan(np.radians(self.fov_deg) / 2))
 
     def to_clip(self, points):
-        """(x, y, w) of world points; x/w and y/w are pixels, w the distance along the view."""
+        """(x, y, w) of world points, of a pinhole; x/w and y/w are pixels, w the distance along the view."""
         x, y, w = np.moveaxis(np.subtract(points, self.eye) @ self.axes().T, -1, 0)
         f = self.focal_px()
         return np.stack([f * x + self.width_px / 2 * w, self.height_px / 2 * w - f * y, w], -1)
@@ -43,8 +44,16 @@ class Camera:
     def moved(self, place, turn):
         """The camera that sees placed points as this one sees them: `place` moves points, `turn`
         directions."""
-        return Camera(place(np.array([self.eye]))[0], place(np.array([self.target]))[0],
-                      turn(np.asarray(self.up, float)), self.fov_deg, self.width_px, self.height_px)
+        eye, target = place(np.array([self.eye]))[0], place(np.array([self.target]))[0]
+        growth = np.linalg.norm(target - eye) / np.linalg.norm(np.subtract(self.target, self.eye))
+        return Camera(eye, target, turn(np.asarray(self.up, float)), self.fov_deg, self.width_px,
+                      self.height_px, self.parallel_height * growth)
+
+    def parallel(self):
+        """The parallel camera that sees as much of what it looks at."""
+        distance = np.linalg.norm(np.subtract(self.target, self.eye))
+        height = 2 * distance * np.tan(np.radians(self.fov_deg) / 2)
+        return replace(self, parallel_height=float(height))
 
 
 def camera_round(mesh, width_px=640, height_px=360, azimuth_deg=37.3, height_deg=23.7, room=0.81,

@@ -32,6 +32,11 @@ class InvarianceTest(unittest.TestCase):
             mesh = make()
             self.judge(name, mesh, camera_round(mesh), ["rotate", "rotate", "assemble", *EXACT])
 
+    def test_shapes_in_parallel(self):
+        for name, make in SHAPES.items():
+            mesh = make()
+            self.judge(name, mesh, camera_round(mesh).parallel(), ["rotate", "assemble", *EXACT])
+
     def test_catalogue_scenes(self):
         for name in CATALOGUE:
             self.judge(name, *catalogue_scenes.load(name), list(POSES))
@@ -41,7 +46,8 @@ class InvarianceTest(unittest.TestCase):
             if not (MODELS / name).is_file():
                 self.skipTest(f"{name} is not here: experiments/models/fetch gets it")
             mesh = read_model(MODELS / name)
-            self.judge(name, mesh, camera_round(mesh), poses)
+            for camera in (camera_round(mesh), camera_round(mesh).parallel()):
+                self.judge(name, mesh, camera, poses)
 
 
 if __name__ == "__main__":

@@ -60,10 +60,12 @@ def trace(mesh, camera, crease_deg=40, crosscheck=False):
     model = Path(mesh) if isinstance(mesh, (str, Path)) else folder / "model.obj"
     if model.parent == folder:
         write_obj(mesh, model)
+    lens = (f"--parallel={camera.parallel_height!r}" if camera.parallel_height
+            else f"--fov={camera.fov_deg!r}")
     # With "=": an option's value may begin with a minus.
     checked = ["--crosscheck", "--disagreement", folder / "disagreement.png"] if crosscheck else []
     inkbench("truth", model, f"--eye={numbers(camera.eye)}", f"--target={numbers(camera.target)}",
-             f"--up={numbers(camera.up)}", f"--fov={camera.fov_deg!r}",
+             f"--up={numbers(camera.up)}", lens,
              f"--size={camera.width_px}x{camera.height_px}", f"--crease={crease_deg}",
              "-o", folder / "truth.png", "--svg", folder / "truth.svg", "--no-cache", "--quiet",
              *checked)

@@ -1,4 +1,4 @@
-#include "scene/camera_path.h"
+#include "scene/views/camera_path.h"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +49,22 @@ TEST(CameraPath, OrbitCarriesTheNearestPointByItsStep) {
     // The eye goes to the right, so the front goes to the left.
     EXPECT_NEAR(on_image(view_at(path, 1), nearest).x, 99.75, 1e-3);
     EXPECT_NEAR(path.turn_rad, 0.25 * 8 / (50 * 1.2), 1e-15);
+}
+
+// It sees 20 units in 100 px, 5 px each.
+TEST(CameraPath, OfAParallelCameraMovesTheImageByItsStep) {
+    const auto path_of = [](PathKind kind, const glm::dvec3& eye_world) {
+        View start = view_from(eye_world);
+        start.camera = projected(ProjectionKind::parallel, start.camera, kBall);
+        return make_path(kind, start, kBall, 0.25);
+    };
+    EXPECT_NEAR(
+        on_image(view_at(path_of(PathKind::orbit, {0, 8, 6}), 1), {0, 1.6, 1.2}).x, 99.75, 1e-3);
+    EXPECT_NEAR(
+        std::abs(on_image(view_at(path_of(PathKind::pan, {0, 0, 10}), 1), {}).x - 100), 0.25, 1e-3);
+    const CameraPath dolly = path_of(PathKind::dolly, {0, 0, 10});
+    EXPECT_EQ(view_at(dolly, 3).camera.eye_world, glm::dvec3(0, 0, 10));
+    EXPECT_NEAR(on_image(view_at(dolly, 1), {0, 10, 0}).y, -0.25, 1e-3);
 }
 
 TEST(CameraPath, OrbitGoesFromZTowardsXAndKeepsLookingAtTheMiddle) {

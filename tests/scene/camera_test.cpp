@@ -44,6 +44,43 @@ TEST(Projection, RayHitsThePixelItWasCastThrough) {
     EXPECT_NEAR(p_clip.z, 7, 1e-12);
 }
 
+TEST(Projection, ParallelDepthIsAffineAndItsLinesOfSightRunAlike) {
+    Camera camera = look_at({1, 2, 3}, {-4, 0.5, 2}, {0, 1, 0.2}, 0.7);
+    camera.height_world = 4;
+    camera.near = 2;
+    camera.far = 12;
+    const Projection projection({camera, 640, 480});
+    EXPECT_EQ(projection.ray_world(0, 0), projection.ray_world(640, 480));
+    for (const double depth : {1.0, 2.0, 7.0, 12.0}) {
+        const glm::dvec3 p_clip = projection.to_clip(projection.at(12.5, 400, depth));
+        EXPECT_NEAR(p_clip.x / p_clip.z, 12.5, 1e-9);
+        EXPECT_NEAR(p_clip.y / p_clip.z, 400, 1e-9);
+        EXPECT_NEAR(projection.depth_of(p_clip.z), depth, 1e-12);
+        EXPECT_NEAR(1 / p_clip.z, (14 - depth) / 24, 1e-12);
+    }
+    EXPECT_NEAR(projection.w_of(2), 2, 1e-12) << "w is the depth at near";
+    EXPECT_NEAR(projection.w_of(12), 12, 1e-12) << "and at far";
+    EXPECT_NEAR(projection.px_per_world(5), 120, 1e-12);
+}
+
+TEST(Camera, ProjectedEitherWaySeesAsMuchOfTheMiddle) {
+    const Sphere bounds{{0, 1, 0}, 2};
+    Camera pinhole = look_at({0, 1, 9}, bounds.center_world, {0, 1, 0}, kRightAngle_rad);
+    fit_clip_range(pinhole, bounds);
+    const Camera parallel = projected(ProjectionKind::parallel, pinhole, bounds);
+    EXPECT_NEAR(parallel.height_world, 18, 1e-12);
+    EXPECT_EQ(parallel.eye_world, pinhole.eye_world);
+    const Camera back = projected(ProjectionKind::perspective, parallel, bounds);
+    EXPECT_FALSE(back.is_parallel());
+    EXPECT_NEAR(back.fov_y_rad, kRightAngle_rad, 1e-12);
+    const Camera again = projected(ProjectionKind::parallel, parallel, bounds);
+    EXPECT_EQ(again.height_world, parallel.height_world);
+    Camera within = pinhole;
+    within.eye_world = bounds.center_world;
+    EXPECT_NEAR(projected(ProjectionKind::parallel, within, bounds).height_world, 14, 1e-12)
+        << "what it sees where its near plane is";
+}
+
 TEST(Camera, UpAlongTheViewDirectionStillGivesARotation) {
     const Camera camera = look_at({0, 9, 0}, {0, 0, 0}, {0, 1, 0}, 0.7);
     EXPECT_NEAR(glm::determinant(camera.view_from_world), 1, 1e-12);

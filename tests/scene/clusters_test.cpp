@@ -268,7 +268,7 @@ TEST(Seal, TakesZeroAndMinusZeroForOnePlace) {
     EXPECT_TRUE(clusters.solids[0].is_watertight);
 }
 
-// Exact for every face, from anywhere: near, far, beside and inside.
+// Exact for every face, from anywhere: near, far, beside, inside, and in parallel.
 TEST(TurnedAway, ClustersShowTheirBacksOnly) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
@@ -278,8 +278,8 @@ TEST(TurnedAway, ClustersShowTheirBacksOnly) {
         std::size_t away = 0, trials = 0;
         for (int i = 0; i < 200; ++i) {
             const double distance = std::exp(normal(random));
-            const glm::dvec3 eye =
-                glm::dvec3(normal(random), normal(random), normal(random)) * distance;
+            const Viewpoint eye{
+                glm::dvec3(normal(random), normal(random), normal(random)) * distance, i % 3 == 0};
             for (const Cluster& cluster : clusters.clusters) {
                 ++trials;
                 if (!is_turned_away(cluster, eye)) continue;
@@ -304,17 +304,17 @@ TEST(TurnedAway, AFlatSheetFromJustBehindAndNotFromItsPlane) {
     const Clusters clusters =
         make_clusters(flatten(scene_of(catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}))));
     ASSERT_EQ(clusters.clusters.size(), 1U);
-    EXPECT_TRUE(is_turned_away(clusters.clusters[0], {0.5, 0.5, -0.01}));
-    EXPECT_TRUE(is_turned_away(clusters.clusters[0], {0.9, 0.1, -100}));
-    EXPECT_FALSE(is_turned_away(clusters.clusters[0], {0.5, 0.5, 0.01}));
-    EXPECT_FALSE(is_turned_away(clusters.clusters[0], {3, 0.5, 0}));
+    EXPECT_TRUE(is_turned_away(clusters.clusters[0], {{0.5, 0.5, -0.01}}));
+    EXPECT_TRUE(is_turned_away(clusters.clusters[0], {{0.9, 0.1, -100}}));
+    EXPECT_FALSE(is_turned_away(clusters.clusters[0], {{0.5, 0.5, 0.01}}));
+    EXPECT_FALSE(is_turned_away(clusters.clusters[0], {{3, 0.5, 0}}));
 }
 
 TEST(TurnedAway, NormalsThatPointAllWaysHaveNoCone) {
     const Clusters clusters = make_clusters(flatten(scene_of(unit_cube())));
     ASSERT_EQ(clusters.clusters.size(), 1U);
     EXPECT_GE(clusters.clusters[0].cone_sine, 1);
-    EXPECT_FALSE(is_turned_away(clusters.clusters[0], {9, 9, 9}));
+    EXPECT_FALSE(is_turned_away(clusters.clusters[0], {{9, 9, 9}}));
 }
 
 TEST(TurnedAway, ANeedleWhoseNormalIsLostInRoundingHasNoCone) {

@@ -1,4 +1,4 @@
-#include "scene/framing.h"
+#include "scene/views/framing.h"
 
 #include <gmock/gmock.h>
 
@@ -41,11 +41,29 @@ TEST(Framing, AFittedViewReachesItsMarginAndNoFurther) {
     const auto points = placed_points(scene);
     ASSERT_EQ(points.size(), 6U);
     for (const Camera& camera : orbit_cameras(bounding_sphere(scene), 5, kAspect)) {
-        const Camera fitted = framed(camera, points, {camera.fov_y_rad, kAspect, 0.8}, scene);
+        const Camera fitted = framed(camera, points, kAspect, 0.8, scene);
         const glm::dvec2 share = reach(points, fitted);
         EXPECT_NEAR(std::max(share.x, share.y), 0.8, 1e-9) << camera.name;
         EXPECT_GT(fitted.near, 0);
         EXPECT_EQ(fitted.view_from_world, camera.view_from_world) << "it moves, it does not turn";
+    }
+}
+
+TEST(Framing, AParallelViewIsAsHighAsItsPointsAndCutsNothing) {
+    const Scene scene = two_things();
+    const Sphere bounds = bounding_sphere(scene);
+    const auto points = placed_points(scene);
+    for (const Camera& camera : orbit_cameras(bounds, 5, kAspect)) {
+        const Camera parallel = projected(ProjectionKind::parallel, camera, bounds);
+        const Camera fitted = framed(parallel, points, kAspect, 0.8, scene);
+        EXPECT_TRUE(fitted.is_parallel());
+        const glm::dvec2 share = reach(points, fitted);
+        EXPECT_NEAR(std::max(share.x, share.y), 0.8, 1e-9) << camera.name;
+        for (const glm::dvec3& p : points) {
+            const double depth = -(fitted.view_from_world * (p - fitted.eye_world)).z;
+            EXPECT_GT(depth, fitted.near);
+            EXPECT_LT(depth, fitted.far);
+        }
     }
 }
 
@@ -73,8 +91,7 @@ TEST(Framing, OnePlaceLeavesTheCameraAsItIs) {
     const Scene scene = two_things();
     const Camera camera = orbit_cameras(bounding_sphere(scene), 1, kAspect).front();
     const std::vector<glm::dvec3> points(3, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(framed(camera, points, {camera.fov_y_rad, kAspect, 0.9}, scene).eye_world,
-              camera.eye_world);
+    EXPECT_EQ(framed(camera, points, kAspect, 0.9, scene).eye_world, camera.eye_world);
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ TEST(Holes, LetBacksBeSeenThroughTheirFansAlone) {
                             (at >= 0 && at < nearest && facing(a, b, hole.apex_world, eye) > 0);
             }
             EXPECT_TRUE(hole.is_covered);
-            EXPECT_TRUE(!meets_fan || may_face(hole, rim, eye));
+            EXPECT_TRUE(!meets_fan || may_face(hole, rim, {eye}));
             has_come_in = has_come_in || meets_fan;
         }
         EXPECT_TRUE(has_come_in);

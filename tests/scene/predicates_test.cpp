@@ -38,6 +38,27 @@ TEST(Orient3d, IsExactWherePlainDoubleHasTheWrongSign) {
     EXPECT_GT(wrong_in_double, 100);
 }
 
+// From a point of the plane, one step against the direction: all whole numbers, so exact.
+TEST(Orient3d, OfADirectionIsThatOfAStepAgainstIt) {
+    std::mt19937_64 random(23);
+    std::uniform_int_distribution<int> wide(-(1 << 28), 1 << 28);
+    std::uniform_int_distribution<int> few(-1, 1);
+    int in_plane = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const auto point = [&] {
+            const double x = wide(random), y = wide(random);
+            return glm::dvec3(x, y, -x - y);
+        };
+        const glm::dvec3 a = point(), b = point(), c = point();
+        const glm::dvec3 way = point() + glm::dvec3(0, 0, few(random));
+        const int side = orient3d(a, b, c, Viewpoint{way, true});
+        ASSERT_EQ(side, integer_orient3d(a, b, c, a - way));
+        in_plane += side == 0 ? 1 : 0;
+    }
+    EXPECT_GT(in_plane, 5000);
+    EXPECT_LT(in_plane, 9000);
+}
+
 TEST(Orient3d, ChangesSignUnderEverySwapNearCoplanarity) {
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> unit(-1, 1);

@@ -66,7 +66,7 @@ TEST(Flatten, KeepsTheGlobalTriangleIndexOverDroppedTriangles) {
 TEST(Facings, SeeThreeSidesOfACubeFromItsDiagonalAndNoneFromInside) {
     const Surface surface = flatten(scene_of(unit_cube()));
     const auto count = [&](const glm::dvec3& eye, int side) {
-        const auto all = facings(surface, eye);
+        const auto all = facings(surface, {eye});
         return std::count(all.begin(), all.end(), side);
     };
     EXPECT_EQ(count({5, 5, 5}, 1), 6);

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "scene/camera_path.h"
+#include "scene/views/camera_path.h"
 
 namespace ink::studies {
 namespace {

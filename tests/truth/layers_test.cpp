@@ -22,18 +22,22 @@ TEST(Layers, PacketsSeeWhatSingleRaysSee) {
         const scene::View view{scene.cameras.front(), kWide_px, kHigh_px};
         const scene::Topology topology = scene::weld(scene);
         const scene::Projection projection(view);
-        const EyeScene tree(topology, view.camera.eye_world, 1);
+        const EyeScene tree(topology, view.camera, 1);
+        const auto sight_at = [&](double x_px, double y_px) {
+            return scene::SightLine{projection.ray_begin_world(x_px, y_px),
+                                    projection.ray_world(x_px, y_px)};
+        };
         const double far = std::numeric_limits<double>::infinity();
         for (int y = 0; y < kHigh_px; y += 4) {
             for (int x = 0; x < kWide_px; x += 4) {
-                std::array<glm::dvec3, 16> rays;
+                std::array<scene::SightLine, 16> lines;
                 for (int i = 0; i < 16; ++i)
-                    rays[static_cast<std::size_t>(i)] =
-                        projection.ray_world(x + i % 4 + 0.5, y + i / 4 + 0.5);
-                const auto together = tree.first_of_sixteen(rays, {view.camera.near, far}, 0x7fffU);
+                    lines[static_cast<std::size_t>(i)] = sight_at(x + i % 4 + 0.5, y + i / 4 + 0.5);
+                const auto together =
+                    tree.first_of_sixteen(lines, {view.camera.near, far}, 0x7fffU);
                 EXPECT_FALSE(together[15].has_value()) << "it was not cast";
                 for (std::size_t i = 0; i < 15; ++i) {
-                    const auto alone = tree.first({rays[i], view.camera.near, far},
+                    const auto alone = tree.first({lines[i], view.camera.near, far},
                                                   [](std::uint32_t) { return true; });
                     ASSERT_EQ(together[i].has_value(), alone.has_value());
                     if (!alone) continue;

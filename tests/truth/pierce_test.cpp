@@ -311,6 +311,7 @@ TEST(Crossings, TreeFindsWhatTryingAllPairsFinds) {
 
 TEST(Crossings, AgreeWithTheDefinitionInGeneralPosition) {
     const scene::Topology topology = soup(5, 120, 0);
+    const auto exact = [](const auto&... corners) { return scene::orient3d(corners...); };
     std::size_t expected = 0, undecided = 0;
     for (std::size_t f = 0; f < topology.faces.size(); ++f) {
         for (std::size_t g = f + 1; g < topology.faces.size(); ++g) {
@@ -319,7 +320,7 @@ TEST(Crossings, AgreeWithTheDefinitionInGeneralPosition) {
                 p[i] = topology.p_world[topology.faces[f].vertices[i]];
                 p[3 + i] = topology.p_world[topology.faces[g].vertices[i]];
             }
-            const int crosses = crosses_by_sides(p, scene::orient3d);
+            const int crosses = crosses_by_sides(p, exact);
             expected += crosses == 1 ? 1 : 0;
             undecided += crosses < 0 ? 1 : 0;
         }

@@ -35,7 +35,7 @@ scene::Mesh soup(std::uint64_t seed) {
 bool is_hidden_by_any(const EyeView& eye, std::uint32_t edge_index, const glm::dvec3& point) {
     const scene::Topology& topology = eye.model.topology;
     const auto& p = topology.p_world;
-    const glm::dvec3 origin = eye.eye_world();
+    const glm::dvec3 origin = eye.eye().at_world;
     return std::any_of(topology.faces.begin(), topology.faces.end(), [&](const scene::Face& face) {
         const auto own = std::find(face.edges.begin(), face.edges.end(), edge_index);
         if (own != face.edges.end()) return false;
@@ -58,7 +58,7 @@ TEST(Visibility, AgreesWithTryingEveryTriangle) {
         const Model model = build_model(scene_of({soup(seed)}), {});
         const scene::View view = view_from({1, 2, 7}, {0, 0, 0});
         const EyeView eye(model, view, 1);
-        const EyeScene embree(model.topology, eye.eye_world(), 1);
+        const EyeScene embree(model.topology, view.camera, 1);
         const Visibility visibility(eye, embree);
         Noise noise(seed + 100);
         for (std::uint32_t e = 0; e < model.topology.edges.size(); ++e) {

@@ -40,7 +40,10 @@ def place_camera(view):
     """The camera of a view, and the size of its image."""
     data = bpy.data.cameras.new("camera")
     data.sensor_fit = "VERTICAL"
-    data.angle = math.radians(view["camera"]["fov_y_deg"])
+    if view["camera"]["projection"] == "parallel":
+        data.type, data.ortho_scale = "ORTHO", view["camera"]["height"]
+    else:
+        data.angle = math.radians(view["camera"]["fov_y_deg"])
     data.clip_start, data.clip_end = view["camera"]["near"], view["camera"]["far"]
     camera = bpy.data.objects.new("camera", data)
     camera.matrix_world = Matrix(view["view_from_world"]).inverted()

@@ -50,8 +50,11 @@ def project(p, view_from_world, view):
     x, y, z = view_from_world @ p
     if z >= 0:
         return None
-    focal = view["height_px"] / (2 * math.tan(math.radians(view["camera"]["fov_y_deg"]) / 2))
-    return view["width_px"] / 2 - focal * x / z, view["height_px"] / 2 + focal * y / z
+    if view["camera"]["projection"] == "parallel":
+        scale = view["height_px"] / view["camera"]["height"]
+    else:
+        scale = view["height_px"] / (2 * math.tan(math.radians(view["camera"]["fov_y_deg"]) / 2)) / -z
+    return view["width_px"] / 2 + scale * x, view["height_px"] / 2 - scale * y
 
 
 def strokes_px(shown, view):

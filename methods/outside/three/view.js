@@ -15,8 +15,12 @@ function matrixOf(rows) {
 
 // A camera with the matrices of the view as they are.
 function cameraOf(view) {
-    const camera = new THREE.PerspectiveCamera(
-        view.camera.fov_y_deg, view.width_px / view.height_px, view.camera.near, view.camera.far);
+    const { projection, fov_y_deg, height, near, far } = view.camera;
+    const aspect = view.width_px / view.height_px;
+    const [x, y] = [height * aspect / 2, height / 2];
+    const camera = projection === "parallel"
+        ? new THREE.OrthographicCamera(-x, x, y, -y, near, far)
+        : new THREE.PerspectiveCamera(fov_y_deg, aspect, near, far);
     camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
     camera.matrixWorldInverse.copy(matrixOf(view.view_from_world));
     camera.matrixWorld.copy(camera.matrixWorldInverse).invert();

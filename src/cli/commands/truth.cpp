@@ -138,6 +138,7 @@ std::string command_of_truth(const CLI::App& command) {
                              "--drawing",
                              "--hidden",
                              "--sheet-width",
+                             "--scale",
                              "--threads",
                              "--cache",
                              "--no-cache"});

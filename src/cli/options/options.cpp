@@ -80,8 +80,20 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
             options.views,
             "N views round the scene, names (front, back, left, right, top, bottom, iso), or "
             "'file' for the model's own cameras (default: a built-in scene's own views, "
-            "three round a model)")
+            "three round a model); named views are parallel")
         ->type_name("N|NAME,...|file");
+    command
+        .add_option("--projection",
+                    options.projection,
+                    "How all views look, or both ways by commas (default: in perspective, but for "
+                    "named views and a file's parallel cameras)")
+        ->type_name("perspective|parallel");
+    command
+        .add_option("--parallel",
+                    options.parallel_height,
+                    "Height that parallel views show, in the scene's units, instead of --fov "
+                    "(default: as much as a pinhole sees at the scene's middle)")
+        ->type_name("HEIGHT");
     command
         .add_option("--fit",
                     options.fit,

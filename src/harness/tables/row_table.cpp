@@ -65,6 +65,11 @@ void add_place(RowTable& table) {
             &Row::method);
     row.add({"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
     row.add({"view", "", "name of the camera, the path or the place on an axis"}, &Row::view);
+    row.add({"projection",
+             "",
+             "perspective or parallel; parallel views have one depth encoding: inverse, linear and "
+             "log are the same"},
+            &Row::projection);
     row.add({"split", "", "train, heldout or real"}, &Row::split);
     row.add({"width", "px", "of the image"}, &Row::width);
     row.add({"height", "px", "of the image"}, &Row::height);

@@ -47,6 +47,11 @@ double range_of(const aiLight& light) {
     return std::isfinite(half_way) ? 2 * half_way : 0;
 }
 
+/// By how much the root makes lengths longer.
+double world_per_unit(const PlacedNode& root) {
+    return std::cbrt(std::abs(glm::determinant(glm::dmat3(root.world_from_node))));
+}
+
 /// The lights of a file, each with the node of its name. Their strengths are as the file has them,
 /// their ranges in the world's units.
 std::vector<ImportedLight> convert_lights(const aiScene& scene,
@@ -54,8 +59,7 @@ std::vector<ImportedLight> convert_lights(const aiScene& scene,
     std::vector<ImportedLight> lights;
     if (nodes.empty()) return lights;
     // Ways are in the file's units, which the root makes the world's.
-    const glm::dmat3 root(nodes.front().world_from_node);
-    const double stretch = std::cbrt(std::abs(glm::determinant(root)));
+    const double stretch = world_per_unit(nodes.front());
     const NodeNumbers numbers = numbers_of(nodes);
     for (unsigned i = 0; i < scene.mNumLights; ++i) {
         const aiLight& from = *scene.mLights[i];
@@ -102,12 +106,15 @@ std::string reader_name(const Assimp::Importer& importer) {
     return about == nullptr ? std::string{} : about->mName;
 }
 
+/// Where a file names no aspect, 1 is a guess.
+double aspect_of(const aiCamera& camera) {
+    return camera.mAspect > 0.05F && camera.mAspect < 20 ? camera.mAspect : 1;
+}
+
 /// The camera's vertical angle. Assimp's documentation speaks of half the horizontal angle, its
-/// readers (FBX, Collada; its issue 2256) store all of it. Where a file names no aspect, 1 is a
-/// guess.
+/// readers (FBX, Collada; its issue 2256) store all of it.
 double vertical_fov_rad(const aiCamera& camera) {
-    const double aspect = camera.mAspect > 0.05F && camera.mAspect < 20 ? camera.mAspect : 1;
-    return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2.0) / aspect);
+    return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2.0) / aspect_of(camera));
 }
 
 ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode>& nodes) {
@@ -131,8 +138,8 @@ ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode
 /// What Assimp does not say of a file's cameras.
 struct CameraFacts {
     std::vector<DaeCamera> dae{};
-    std::map<std::string, std::size_t> asked{};  ///< how often, of each node
-    std::set<std::string> parallel_of_fbx{};     ///< nodes
+    std::map<std::string, std::size_t> asked{};       ///< how often, of each node
+    std::map<std::string, double> parallel_of_fbx{};  ///< by node: the width that is seen
 
     /// The next Collada camera of a node, in the file's order. A node that is placed several times
     /// is asked for its own again.
@@ -161,19 +168,22 @@ void convert_cameras(const aiScene& scene,
                      const std::vector<PlacedNode>& nodes,
                      CameraFacts facts,
                      ImportReply& reply) {
+    const double unit = nodes.empty() ? 1 : world_per_unit(nodes.front());
     for (unsigned c = 0; c < scene.mNumCameras; ++c) {
         const aiCamera& camera = *scene.mCameras[c];
         const std::string name = camera.mName.C_Str();
         const DaeCamera* dae = facts.next_dae(name);
-        const bool is_parallel = camera.mOrthographicWidth > 0 ||
-                                 facts.parallel_of_fbx.count(name) != 0 ||
-                                 (dae != nullptr && dae->is_parallel);
-        if (is_parallel) {
-            reply.parallel_cameras.push_back(name);
-        } else {
-            reply.cameras.push_back(convert_camera(camera, nodes));
-            const auto angle = dae == nullptr ? std::nullopt : dae->fov_y_rad();
-            if (angle) reply.cameras.back().fov_y_rad = *angle;
+        const auto fbx = facts.parallel_of_fbx.find(name);
+        reply.cameras.push_back(convert_camera(camera, nodes));
+        ImportedCamera& taken = reply.cameras.back();
+        const auto angle = dae == nullptr ? std::nullopt : dae->fov_y_rad();
+        if (angle) taken.fov_y_rad = *angle;
+        if (dae != nullptr && dae->is_parallel) {
+            taken.height_world = unit * dae->height();
+        } else if (fbx != facts.parallel_of_fbx.end()) {
+            taken.height_world = unit * fbx->second / aspect_of(camera);
+        } else if (camera.mOrthographicWidth > 0) {
+            taken.height_world = unit * 2 * camera.mOrthographicWidth / aspect_of(camera);
         }
     }
 }

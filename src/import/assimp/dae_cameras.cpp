@@ -82,6 +82,8 @@ DaeCamera read_optics(XmlTags& tags) {
         const std::string_view name = tags.name();
         if (name == "orthographic") camera.is_parallel = true;
         if (!tags.is_end()) continue;
+        if (name == "xmag") camera.xmag = to_number(tags.before());
+        if (name == "ymag") camera.ymag = to_number(tags.before());
         if (name == "xfov") camera.xfov_deg = to_number(tags.before());
         if (name == "yfov") camera.yfov_deg = to_number(tags.before());
         if (name == "aspect_ratio") camera.aspect = to_number(tags.before());
@@ -118,6 +120,12 @@ std::vector<DaeCamera> read_dae_cameras(std::string_view file) {
         cameras.back().node = node;
     }
     return cameras;
+}
+
+double DaeCamera::height() const {
+    if (ymag) return 2 * *ymag;
+    const double half_width = xmag.value_or(1);
+    return 2 * (aspect && *aspect > 0 ? half_width / *aspect : half_width);
 }
 
 std::optional<double> DaeCamera::fov_y_rad() const {

@@ -35,6 +35,7 @@ glm::dmat3 turned_up(const FbxAxes::Axis& up) {
 }
 
 constexpr std::string_view kProjection = "CameraProjectionType";
+constexpr std::string_view kZoom = "OrthoZoom";
 
 /// The words and numbers of a file from a place on, as text or binary has them.
 class FbxValues {
@@ -70,6 +71,18 @@ class FbxValues {
         return value;
     }
 
+    std::optional<double> real() {
+        double value = 0;
+        if (is_binary_) {
+            if (!rest_.starts_with('D') || rest_.size() < 1 + sizeof value) return std::nullopt;
+            std::memcpy(&value, rest_.data() + 1, sizeof value);
+            return value;
+        }
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t,"), rest_.size()));
+        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        return error == std::errc{} ? std::optional(value) : std::nullopt;
+    }
+
   private:
     std::optional<std::int64_t> packed_number() {
         const bool is_long = rest_.starts_with('L');
@@ -87,10 +100,22 @@ class FbxValues {
     bool is_binary_;
 };
 
-/// The numbers of the attributes (objects that say what a camera is) of orthographic cameras.
-std::set<std::int64_t> parallel_attributes(std::string_view file, bool is_binary) {
+/// The width that the camera of an attribute sees.
+double width_of(std::string_view attribute, bool is_binary) {
+    constexpr double kWidthOfZoom = 30;
+    const std::size_t at = attribute.find(kZoom);
+    if (at == attribute.npos) return kWidthOfZoom;
+    FbxValues values(attribute, is_binary, at + kZoom.size() + (is_binary ? 0 : 1));
+    for (int word = 0; word < 3; ++word)
+        (void)values.text();  // its type, and flags
+    return kWidthOfZoom * values.real().value_or(1);
+}
+
+/// The attributes (objects that say what a camera is) of orthographic cameras, by number, and what
+/// these see.
+std::map<std::int64_t, double> parallel_attributes(std::string_view file, bool is_binary) {
     const std::string_view object = is_binary ? "\x0dNodeAttribute" : "NodeAttribute: ";
-    std::set<std::int64_t> found;
+    std::map<std::int64_t, double> found;
     for (std::size_t at = file.find(kProjection); at != file.npos;
          at = file.find(kProjection, at + 1)) {
         FbxValues values(file, is_binary, at + kProjection.size() + (is_binary ? 0 : 1));
@@ -100,25 +125,27 @@ std::set<std::int64_t> parallel_attributes(std::string_view file, bool is_binary
         const std::size_t owner = file.rfind(object, at);
         if (owner == file.npos) continue;
         const auto number = FbxValues(file, is_binary, owner + object.size()).number();
-        if (number) found.insert(*number);
+        const std::size_t end = file.find(object, at);
+        if (number) found[*number] = width_of(file.substr(owner, end - owner), is_binary);
     }
     return found;
 }
 
-/// The objects to which one of `children` is connected.
-std::set<std::int64_t> parents_of(const std::set<std::int64_t>& children,
-                                  std::string_view file,
-                                  bool is_binary) {
+/// The objects to which one of `children` is connected, and what it has.
+std::map<std::int64_t, double> parents_of(const std::map<std::int64_t, double>& children,
+                                          std::string_view file,
+                                          bool is_binary) {
     const std::string_view link = is_binary ? "\x01"
                                               "CS\x02"
                                             : "C: \"OO\"";
-    std::set<std::int64_t> found;
+    std::map<std::int64_t, double> found;
     for (std::size_t at = file.find(link); at != file.npos; at = file.find(link, at + 1)) {
         FbxValues values(file, is_binary, at + (is_binary ? 2 : link.size()));
         if (is_binary && values.text() != "OO") continue;
         const auto child = values.number();
         const auto parent = values.number();
-        if (child && parent && children.count(*child) != 0) found.insert(*parent);
+        const auto of = child ? children.find(*child) : children.end();
+        if (parent && of != children.end()) found[*parent] = of->second;
     }
     return found;
 }
@@ -141,20 +168,21 @@ glm::dmat4 y_up_from_fbx(const FbxAxes& axes) {
     return glm::dmat4(turn * (has_unit ? axes.cm_per_unit : 1.0));
 }
 
-std::set<std::string> read_fbx_parallel_cameras(std::string_view file) {
+std::map<std::string, double> read_fbx_parallel_cameras(std::string_view file) {
     const bool is_binary = file.starts_with("Kaydara FBX Binary");
     const auto attributes = parallel_attributes(file, is_binary);
-    std::set<std::string> names;
-    if (attributes.empty()) return names;
+    std::map<std::string, double> cameras;
+    if (attributes.empty()) return cameras;
     const auto models = parents_of(attributes, file, is_binary);
     const std::string_view object = is_binary ? "\x05Model" : "Model: ";
     for (std::size_t at = file.find(object); at != file.npos; at = file.find(object, at + 1)) {
         FbxValues values(file, is_binary, at + object.size());
         const auto number = values.number();
         const auto name = number ? values.text() : std::nullopt;
-        if (name && models.count(*number) != 0) names.insert(plain_name(*name));
+        const auto of = number ? models.find(*number) : models.end();
+        if (name && of != models.end()) cameras[plain_name(*name)] = of->second;
     }
-    return names;
+    return cameras;
 }
 
 }  // namespace ink::import

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -23,8 +23,9 @@ struct FbxAxes {
 /// -y), x up (-y, x, z). Left-handed axes are mirrored along the front. Lengths become centimetres.
 [[nodiscard]] glm::dmat4 y_up_from_fbx(const FbxAxes& axes);
 
-/// The names of the nodes of an FBX file, text or binary, whose camera is orthographic. Assimp
-/// takes these for cameras of perspective.
-[[nodiscard]] std::set<std::string> read_fbx_parallel_cameras(std::string_view file);
+/// The nodes of an FBX file, text or binary, whose camera is orthographic, by name, and the width
+/// that it sees in the file's unit: 30 times its zoom. Assimp takes these for cameras of
+/// perspective.
+[[nodiscard]] std::map<std::string, double> read_fbx_parallel_cameras(std::string_view file);
 
 }  // namespace ink::import

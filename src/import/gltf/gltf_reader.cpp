@@ -217,6 +217,17 @@ void GltfReader::place(const Use& use, std::uint32_t mesh) {
     }
 }
 
+namespace {
+
+/// What an orthographic camera sees: ymag is half of it (glTF 2.0, section 3.10.3).
+double height_of(const JsonObject& orthographic) {
+    const double height = 2 * std::abs(orthographic.number("ymag"));
+    if (!(height > 0)) orthographic.fail("ymag is 0", "a height above 0");
+    return height;
+}
+
+}  // namespace
+
 void GltfReader::take_camera(std::size_t node) {
     const auto number = document_.nodes[node].find_index("camera", document_.cameras.size());
     if (!number) return;
@@ -224,11 +235,9 @@ void GltfReader::take_camera(std::size_t node) {
     std::string name = document_.nodes[node].text("name");
     if (name.empty()) name = json.text("name");
     const std::string type = json.text("type");
-    if (type == "orthographic") {
-        reply_.parallel_cameras.push_back(name.empty() ? name_of(node) : name);
-        return;
-    }
-    if (type != "perspective") json.fail("type is " + type, "perspective or orthographic");
+    const bool is_parallel = type == "orthographic";
+    if (!is_parallel && type != "perspective")
+        json.fail("type is " + type, "perspective or orthographic");
     const std::uint32_t own = tree_.number_of[node];
     const glm::dmat4& world = tree_.world_from_node[own];
     const glm::dvec3 view_direction{0, 0, -1}, up{0, 1, 0};
@@ -237,8 +246,10 @@ void GltfReader::take_camera(std::size_t node) {
                               .eye_world = eye_world,
                               .target_world = eye_world + glm::dmat3(world) * view_direction,
                               .up_world = glm::dmat3(world) * up,
-                              .fov_y_rad = json.at("perspective").number("yfov"),
-                              .motion = {own, own, glm::dvec3{0}, view_direction, up}});
+                              .fov_y_rad = is_parallel ? scene::Camera{}.fov_y_rad
+                                                       : json.at("perspective").number("yfov"),
+                              .motion = {own, own, glm::dvec3{0}, view_direction, up},
+                              .height_world = is_parallel ? height_of(json.at(type.c_str())) : 0});
 }
 
 ImportReply GltfReader::read() {

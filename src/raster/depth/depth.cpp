@@ -19,6 +19,8 @@ double in_steps(double value, double steps) {
 
 double encode_depth(DepthEncoding encoding, double w, const DepthRange& range) {
     assert(w > 0 && range.near > 0 && range.far > range.near);
+    if (range.is_parallel && (encoding == DepthEncoding::linear || encoding == DepthEncoding::log))
+        encoding = DepthEncoding::inverse;
     switch (encoding) {
         case DepthEncoding::inverse:
             return window_depth(w, range);  // the same affine map of 1/w, not rounded to steps

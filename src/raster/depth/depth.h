@@ -28,6 +28,8 @@ enum class DepthEncoding {
 struct DepthRange {
     double near = 0;  ///< > 0
     double far = 0;   ///< > near
+    /// Of a parallel camera, under which `linear` and `log` are `inverse`.
+    bool is_parallel = false;
 };
 
 /// `encoding` of distance `w` > 0: 1 at range.near, 0 at range.far (reversed_float: near/far

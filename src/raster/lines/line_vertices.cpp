@@ -5,19 +5,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/pass/view_lanes.inl"
+
 HWY_BEFORE_NAMESPACE();
 namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using DD = hn::CappedTag<double, 8>;
 using VD = hn::Vec<DD>;
-
-/// One row of the transform on eye-relative vectors, in the order of ViewTransform::to_clip.
-HWY_INLINE VD Row(const double* row, VD x, VD y, VD z) {
-    const DD d;
-    const auto sum = hn::Add(hn::Mul(hn::Set(d, row[0]), x), hn::Mul(hn::Set(d, row[1]), y));
-    return hn::Add(sum, hn::Mul(hn::Set(d, row[2]), z));
-}
 
 /// A vector of vertices; false, with nothing of use written, if one of them is beyond the near
 /// plane or so far outside the image that it takes more than this.
@@ -30,12 +25,7 @@ HWY_INLINE bool ProjectSome(const ViewTransform& t,
     const hn::Rebind<std::int32_t, DD> di;
     VD x, y, z;
     hn::LoadInterleaved3(d, p_world, x, y, z);
-    x = hn::Sub(x, hn::Set(d, t.eye[0]));
-    y = hn::Sub(y, hn::Set(d, t.eye[1]));
-    z = hn::Sub(z, hn::Set(d, t.eye[2]));
-    const auto cx = Row(t.rows[0], x, y, z);
-    const auto cy = Row(t.rows[1], x, y, z);
-    const auto cw = Row(t.rows[2], x, y, z);
+    const auto [cx, cy, cw] = clip_lanes(d, t, x, y, z);
     const auto q = hn::Div(hn::Set(d, 1), cw);
     const auto x_px = hn::Mul(cx, q);
     const auto y_px = hn::Mul(cy, q);

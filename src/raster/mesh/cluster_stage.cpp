@@ -10,12 +10,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/pass/view_lanes.inl"
+
 HWY_BEFORE_NAMESPACE();
 namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using DD = hn::CappedTag<double, 8>;
-using VD = hn::Vec<DD>;
 using DI = hn::CappedTag<std::int32_t, 16>;
 using VI = hn::Vec<DI>;
 
@@ -25,13 +26,6 @@ struct Reach {
     double most_w;
     double farthest_px;
 };
-
-/// One row of the transform on eye-relative vectors.
-HWY_INLINE VD Row(const double* row, VD x, VD y, VD z) {
-    const DD d;
-    const auto sum = hn::Add(hn::Mul(hn::Set(d, row[0]), x), hn::Mul(hn::Set(d, row[1]), y));
-    return hn::Add(sum, hn::Mul(hn::Set(d, row[2]), z));
-}
 
 template <class Load>
 Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, const Load& load) {
@@ -46,13 +40,11 @@ Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, co
     const auto limit = hn::Set(d, kLaneReach_px);
     const auto scale = hn::Set(d, 1 << kLaneBits);
     for (std::size_t i = 0; i < count; i += n) {
-        const auto x = hn::Sub(load(0, i), hn::Set(d, t.eye[0]));
-        const auto y = hn::Sub(load(1, i), hn::Set(d, t.eye[1]));
-        const auto z = hn::Sub(load(2, i), hn::Set(d, t.eye[2]));
-        const auto w = Row(t.rows[2], x, y, z);
+        const auto clip = clip_lanes(d, t, load(0, i), load(1, i), load(2, i));
+        const auto w = clip.w;
         const auto inv = hn::Div(hn::Set(d, 1), w);
-        const auto x_px = hn::Mul(Row(t.rows[0], x, y, z), inv);
-        const auto y_px = hn::Mul(Row(t.rows[1], x, y, z), inv);
+        const auto x_px = hn::Mul(clip.x, inv);
+        const auto y_px = hn::Mul(clip.y, inv);
         least_w = hn::Min(least_w, w);
         most_w = hn::Max(most_w, w);
         farthest = hn::Max(farthest, hn::Max(hn::Abs(x_px), hn::Abs(y_px)));

@@ -17,30 +17,14 @@ void FrontDepth::start(const TileGrid& grid, const MeshInput& input) {
 }
 
 bool FrontDepth::hides(const scene::Sphere& ball) const {
-    const glm::dvec3 p = transform_.to_clip(ball.center_world);
-    const double radius = ball.radius * (1 + 1e-9);
-    const double nearest = p.z - radius;
-    if (!(nearest > near_)) return false;
+    const auto seen = transform_.see(ball, near_);
+    if (!seen) return false;
     // As LaneSlot::q_most has it, of anything in the ball.
-    const double q_nearest = 1 / nearest;
-    const double q_farthest = 1 / (p.z + radius);
-    const double beyond = (q_nearest - q_farthest) * 0x1p-6 + q_nearest * 0x1p-18;
-    const auto q_most = static_cast<float>(q_nearest + beyond);
-
-    // From the centre's pixel c, a point of the ball lies at (row - c w-row) . (its way) / w.
-    const auto reach = [&](int axis, double center) {
-        double sum = 0;
-        for (int i = 0; i < 3; ++i) {
-            const double v = transform_.rows[axis][i] - center * transform_.rows[2][i];
-            sum += v * v;
-        }
-        return radius * std::sqrt(sum) * q_nearest +
-               1;  // and what is snapped moves a part of a pixel
-    };
-    const double x = p.x / p.z;
-    const double y = p.y / p.z;
-    const double reach_x = reach(0, x);
-    const double reach_y = reach(1, y);
+    const double beyond = (seen->q_nearest - seen->q_farthest) * 0x1p-6 + seen->q_nearest * 0x1p-18;
+    const auto q_most = static_cast<float>(seen->q_nearest + beyond);
+    const auto& [x, y] = seen->center_px;
+    const double reach_x = seen->reach_px[0] + 1;  // and what is snapped moves a part of a pixel
+    const double reach_y = seen->reach_px[1] + 1;
     const auto first = [](double px) {
         return static_cast<int>(std::max(px, 0.0)) / CoarseDepth::kSquare_px;
     };

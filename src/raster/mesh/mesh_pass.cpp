@@ -55,9 +55,12 @@ MeshPass::~MeshPass() = default;
 MeshPass::MeshPass(MeshPass&&) noexcept = default;
 MeshPass& MeshPass::operator=(MeshPass&&) noexcept = default;
 
-MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, TileSink& sink) {
+MeshResult MeshPass::draw(const PassFormat& asked, const MeshInput& input, TileSink& sink) {
     MeshResult result;
     const scene::View& view = input.view;
+    PassFormat format = asked;
+    // What is linear on a surface is so on the screen.
+    if (view.camera.is_parallel()) format.interpolation = Interpolation::affine;
     assert(view.width_px >= 0 && view.height_px >= 0);
     assert(view.camera.near > 0 && std::isfinite(view.camera.near));
     assert(format.halo_px >= 0 && format.halo_px <= kMaxHalo_px);

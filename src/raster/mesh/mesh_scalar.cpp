@@ -44,7 +44,7 @@ void MeshRun::add_scalar(const MeshJob& job, std::size_t index, bool hides_backs
         const auto p = [&](std::size_t k) {
             return surface.p_world[clusters.vertices[cluster.first_vertex + c[k]]];
         };
-        const int side = scene::facing(p(0), p(1), p(2), camera.eye_world);
+        const int side = scene::facing(p(0), p(1), p(2), camera.viewpoint());
         if (side < 0 ? drops : drops_fronts) continue;
         corners_.push_back({c[0], c[1], c[2]});
         facing_.push_back(static_cast<std::int8_t>(side));

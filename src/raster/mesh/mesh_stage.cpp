@@ -72,7 +72,7 @@ bool MeshRun::may_show(const MeshJob& job, std::size_t index, const FrontDepth* 
         return false;
     }
     if (job.drops_backs(job.hides_backs(index)) && skips.has(Skip::back_face_culling) &&
-        scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
+        scene::is_turned_away(cluster, job.input.view.camera.viewpoint())) {
         ++backs.skipped;
         return false;
     }
@@ -100,7 +100,7 @@ void MeshRun::settle_sides(const MeshJob& job, std::size_t index, const CullJob&
         const std::size_t at = culled_.unsure[i];
         const std::uint32_t corners = culled_.corners[at];
         const auto p = [&](int k) { return mesh.position(index, corners >> 8 * k & 0xff); };
-        const bool is_back = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) < 0;
+        const bool is_back = scene::facing(p(0), p(1), p(2), job.input.view.camera.viewpoint()) < 0;
         if (!(is_back ? cull.drops_backs : cull.drops_fronts)) {
             if (is_back) culled_.corners[at] |= kBackSide;
             culled_.has_back = culled_.has_back || is_back;

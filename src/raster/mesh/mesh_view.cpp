@@ -14,7 +14,9 @@ namespace ink::raster {
 namespace {
 
 /// Whether no face of a cluster that is turned away is seen.
-bool hides_backs(const SolidView& solid, const scene::Cluster& cluster, const glm::dvec3& eye) {
+bool hides_backs(const SolidView& solid,
+                 const scene::Cluster& cluster,
+                 const scene::Viewpoint& eye) {
     return solid.hides_backs &&
            std::none_of(solid.windows.begin(), solid.windows.end(), [&](const Window& window) {
                return window.may_show(cluster.bounds, eye);
@@ -62,8 +64,8 @@ std::optional<std::vector<Window>> find_windows(const scene::Surface& surface,
                                                 const scene::Clusters& clusters,
                                                 const scene::Solid& solid,
                                                 const scene::View& view) {
-    const glm::dvec3& eye = view.camera.eye_world;
-    const double pixel = 1 / scene::Projection(view).focal_px();
+    const scene::Viewpoint eye = view.camera.viewpoint();
+    const double pixel = 1 / scene::Projection(view).px_per_world(1);
     std::vector<Window> windows;
     std::vector<glm::dvec3> rim;
     for (const scene::Hole& hole :
@@ -96,12 +98,13 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
     const bool keeps_order = input.cull != Cull::front && !input.offset.is_any();
     for (std::size_t i = 0; i < solids.size(); ++i) {
         const scene::Sphere& ball = solids[i].bounds;
-        const glm::dvec3 way = ball.center_world - camera.eye_world;
         const double radius = ball.radius * (1 + 1e-6);
+        const bool is_outside =
+            camera.is_parallel() || glm::length(ball.center_world - camera.eye_world) > radius;
         const double depth = depth_of(ball);
         const bool is_uncut =
             is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
-        if (!keeps_order || !is_uncut || !(glm::length(way) > radius)) continue;
+        if (!keeps_order || !is_uncut || !is_outside) continue;
         views[i].hides_backs = solids[i].is_watertight;
         if (!solids[i].is_watertight_covered) continue;
         auto windows =
@@ -113,27 +116,35 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
 }
 
 std::optional<Window> Window::of(const scene::Sphere& ball,
-                                 const glm::dvec3& eye_world,
+                                 const scene::Viewpoint& eye,
                                  double pixel) {
     // Snapped vertices move a part of a pixel.
     constexpr double kWider_px = 2;
-    const glm::dvec3 way = ball.center_world - eye_world;
+    const glm::dvec3 way = eye.sight(ball.center_world);
     const double distance = glm::length(way);
-    const double radius = ball.radius * (1 + 1e-9) + kWider_px * pixel * distance;
-    if (!(radius < distance)) return std::nullopt;
+    const double at_window = eye.is_direction ? 1 : distance;
+    const double radius = ball.radius * (1 + 1e-9) + kWider_px * pixel * at_window;
+    if (!eye.is_direction && !(radius < distance)) return std::nullopt;
     Window window;
     window.axis_ = way / distance;
+    window.wide_ = {ball.center_world, radius};
+    if (eye.is_direction) return window;
     window.sine_ = radius / distance;
     window.cosine_ = std::sqrt(1 - window.sine_ * window.sine_);
     window.nearest_ = distance - radius;
     return window;
 }
 
-bool Window::may_show(const scene::Sphere& ball, const glm::dvec3& eye_world) const {
+bool Window::may_show(const scene::Sphere& ball, const scene::Viewpoint& eye) const {
+    if (eye.is_direction) {
+        const glm::dvec3 way = ball.center_world - wide_.center_world;
+        const double along = glm::dot(axis_, way), reach = wide_.radius + ball.radius;
+        return along >= -reach && glm::length(way - along * axis_) <= reach;
+    }
     // Seen from the eye, the two balls are cones of half-angles a (the window's) and b. They meet
     // unless their axes are more than a + b apart: with d the way to the ball, r its radius,
     //   axis . d >= |d| cos(a + b) = cos a sqrt(d . d - r r) - sin a r.
-    const glm::dvec3 d = ball.center_world - eye_world;
+    const glm::dvec3 d = eye.sight(ball.center_world);
     const double square = glm::dot(d, d);
     const double tangent2 = square - ball.radius * ball.radius;
     if (!(tangent2 > 0)) return true;  // the eye is in the ball
@@ -150,7 +161,8 @@ std::size_t slice_count(std::size_t clusters, int threads) {
 ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>& solids) {
     ClusterOrder result;
     const auto& clusters = input.mesh->clusters().clusters;
-    const glm::dvec3 eye = input.view.camera.eye_world;
+    const scene::Camera& camera = input.view.camera;
+    const scene::Viewpoint eye = camera.viewpoint();
     result.clusters.resize(clusters.size());
     result.is_late.resize(clusters.size());
     result.hides_backs.resize(clusters.size());
@@ -162,8 +174,10 @@ ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>&
     std::vector<double> distances(clusters.size());
     for_each_slice([&](Slice& slice) {
         for (std::size_t i = slice.first; i < slice.end; ++i) {
-            const glm::dvec3 way = clusters[i].bounds.center_world - eye;
-            distances[i] = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+            const glm::dvec3 way = clusters[i].bounds.center_world - camera.eye_world;
+            distances[i] = eye.is_direction
+                               ? glm::dot(way, eye.at_world)
+                               : std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
             slice.nearest = std::min(slice.nearest, distances[i]);
             slice.farthest = std::max(slice.farthest, distances[i]);
             // Where the solid hides its backs it is not drawn at all.
@@ -202,6 +216,7 @@ ImageSides::ImageSides(const ViewTransform& transform, const scene::View& view)
       below_px_(view.height_px + 1.0) {
     const auto& rows = transform.rows;
     const auto length = [&](double kx, double ky, double kw) {
+        if (transform.is_parallel) kw = 0;
         double sum = 0;
         for (int i = 0; i < 3; ++i) {
             const double v = kx * rows[0][i] + ky * rows[1][i] + kw * rows[2][i];
@@ -216,11 +231,12 @@ ImageSides::ImageSides(const ViewTransform& transform, const scene::View& view)
 }
 
 bool ImageSides::has_outside(const scene::Sphere& ball) const {
-    const glm::dvec3 p = transform_.to_clip(ball.center_world);
+    glm::dvec3 p = transform_.to_clip(ball.center_world);
+    if (transform_.is_parallel) p /= p.z;
     const double radius = ball.radius * (1 + 1e-9);
-    return p.z < near_ - radius || p.x + p.z < -radius * lengths_[0] ||
-           right_px_ * p.z - p.x < -radius * lengths_[1] || p.y + p.z < -radius * lengths_[2] ||
-           below_px_ * p.z - p.y < -radius * lengths_[3];
+    return transform_.depth(ball.center_world) < near_ - radius ||
+           p.x + p.z < -radius * lengths_[0] || right_px_ * p.z - p.x < -radius * lengths_[1] ||
+           p.y + p.z < -radius * lengths_[2] || below_px_ * p.z - p.y < -radius * lengths_[3];
 }
 
 }  // namespace ink::raster

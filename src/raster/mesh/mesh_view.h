@@ -15,20 +15,21 @@
 namespace ink::raster {
 
 /// A hole of a solid that may let its inside be seen, as the eye sees it: the cone round the ball
-/// that the hole's fan lies in, two pixels wider.
+/// that the hole's fan lies in, two pixels wider; under a parallel camera, the cylinder.
 class Window {
   public:
-    /// `pixel` is what a pixel at the image's centre measures at distance 1. Nothing if the eye is
-    /// in the cone's ball.
+    /// `pixel` is what a pixel at the image's centre measures at distance 1, anywhere under a
+    /// parallel camera. Nothing if the eye is in the cone's ball.
     [[nodiscard]] static std::optional<Window> of(const scene::Sphere& ball,
-                                                  const glm::dvec3& eye_world,
+                                                  const scene::Viewpoint& eye,
                                                   double pixel);
 
     /// Whether a sight line may meet the window, and then something in the ball.
-    [[nodiscard]] bool may_show(const scene::Sphere& ball, const glm::dvec3& eye_world) const;
+    [[nodiscard]] bool may_show(const scene::Sphere& ball, const scene::Viewpoint& eye) const;
 
   private:
     glm::dvec3 axis_{0};
+    scene::Sphere wide_;  ///< of the hole, two pixels wider
     double sine_ = 0;
     double cosine_ = 1;
     double nearest_ = 0;  ///< of the hole

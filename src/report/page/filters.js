@@ -5,6 +5,7 @@ state.define('families', null);
 state.define('methods', null);
 state.define('scenes', null);
 state.define('split', 'all');
+state.define('projection', 'all');
 state.define('measure', 'f_2px');
 // What the run was asked for, until the reader asks for something else.
 state.define('budget', PACKED.runs[0].record.budget_ms);
@@ -12,7 +13,7 @@ state.define('margin', PACKED.runs[0].record.f_margin);
 state.define('theme', 'auto');
 
 /// What a reader filters by, and Reset gives back.
-const FILTERS = ['families', 'methods', 'scenes', 'split', 'measure', 'budget', 'margin'];
+const FILTERS = ['families', 'methods', 'scenes', 'split', 'projection', 'measure', 'budget', 'margin'];
 
 /// What the page shows now: the rows that the filters leave, and what they say together.
 function currentView() {
@@ -22,8 +23,8 @@ function currentView() {
 
 function isSceneShown(row) {
     const scenes = state.get('scenes');
-    const split = state.get('split');
-    return (!scenes || scenes.includes(row.scene)) && (split === 'all' || row.split === split);
+    const isOne = column => state.get(column) === 'all' || row[column] === state.get(column);
+    return (!scenes || scenes.includes(row.scene)) && isOne('split') && isOne('projection');
 }
 
 function isMethodChosen(info) {
@@ -38,7 +39,8 @@ function viewOf(run) {
     const allRows = run.rows.filter(isSceneShown);
     const isMethodShown = name => isMethodChosen(run.methods.get(name));
     const rows = allRows.filter(row => isMethodShown(row.method));
-    const hasAllScenes = !state.get('scenes') && state.get('split') === 'all';
+    const hasAllScenes = !state.get('scenes') && state.get('split') === 'all' &&
+        state.get('projection') === 'all';
     const summaries = [...groupBy(rows, row => row.method)].map(([name, ofMethod]) => {
         const made = summarise(run.methods.get(name), ofMethod, measure);
         return {...made, range: rangeOf(run, made, measure, hasAllScenes)};
@@ -94,6 +96,7 @@ function drawFilters(root, view) {
     const families = distinct(methods, info => info.family);
     const classes = RECALL_GROUPS.filter(name => run.rows.some(row => row[`truth_px_${name}`] > 0));
     const splits = distinct(run.rows, row => row.split);
+    const projections = distinct(run.rows, row => row.projection);
     const isOpen = root.querySelector('details.filters')?.open ?? innerWidth > 720;
     const steps = budgetSteps(view.contestants);
 
@@ -105,6 +108,8 @@ function drawFilters(root, view) {
         scenes.length > 1 ? picker('Scenes', 'scenes', scenes) : null,
         splits.length > 1 ? chooser('Split', [['all', 'all scenes'], ...splits.map(split => [split, splitTitle(split)])],
             state.get('split'), split => state.set({split})) : null,
+        projections.length > 1 ? chooser('Projection', [['all', 'both projections'], ...projections.map(one => [one, one])],
+            state.get('projection'), projection => state.set({projection})) : null,
         run.rows.length ? chooser('Measure', [
             ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],
             ...classes.map(name => [name, `recall: ${groupTitle(name)}`])], state.get('measure'),

@@ -325,12 +325,10 @@ bool refresh_holes(const Surface& moved,
            (open.empty() || hangs_together_outside(moved, clusters, solid, open));
 }
 
-bool may_face(const Hole& hole,
-              std::span<const glm::dvec3> rim_world,
-              const glm::dvec3& eye_world) {
+bool may_face(const Hole& hole, std::span<const glm::dvec3> rim_world, const Viewpoint& eye) {
     for (const auto& [a, b, c] : fan_of(hole, rim_world)) {
         const glm::dvec3 n = glm::cross(b - a, c - a);
-        const glm::dvec3 way = a - eye_world;
+        const glm::dvec3 way = eye.sight(a);
         // Rounding, and what snapping vertices may turn, is no matter here: a sliver that is seen
         // so nearly edge-on lies within a rounding of a contour.
         if (!(glm::dot(n, way) > 1e-12 * glm::length(n) * glm::length(way))) return true;

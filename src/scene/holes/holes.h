@@ -66,6 +66,6 @@ struct OpenVolume {
 /// `rim` are the hole's corners in the surface.
 [[nodiscard]] bool may_face(const Hole& hole,
                             std::span<const glm::dvec3> rim_world,
-                            const glm::dvec3& eye_world);
+                            const Viewpoint& eye);
 
 }  // namespace ink::scene

@@ -43,7 +43,7 @@ double most_rounding_px(const Topology& topology, const View& view) {
         const bool is_in_frame = w > view.camera.near && p_clip.x >= 0 && p_clip.y >= 0 &&
                                  p_clip.x <= view.width_px * w && p_clip.y <= view.height_px * w;
         if (!is_in_frame) continue;
-        most_px = std::max(most_px, topology.rounding_world[v] * projection.focal_px() / w);
+        most_px = std::max(most_px, topology.rounding_world[v] * projection.px_per_world(w));
     }
     return most_px;
 }
@@ -63,6 +63,19 @@ int sure_orient3d(const RoundedPoint& a,
     const double value = orient3d_value(a.p, b.p, c.p, d.p);
     if (std::abs(value) <= orient3d_doubt(a, b, c, d)) return 0;
     return value > 0 ? 1 : -1;
+}
+
+int sure_facing(const RoundedPoint& a,
+                const RoundedPoint& b,
+                const RoundedPoint& c,
+                const Viewpoint& eye) {
+    if (!eye.is_direction) return -sure_orient3d(a, b, c, {eye.at_world, 0});
+    // Each corner moves the volume by the area that the direction and the side opposite span.
+    const double doubt = a.rounding * glm::length(eye.plane(b.p, c.p)) +
+                         b.rounding * glm::length(eye.plane(a.p, c.p)) +
+                         c.rounding * glm::length(eye.plane(a.p, b.p));
+    const double value = glm::dot(eye.plane(a.p, b.p), c.p - a.p);
+    return std::abs(value) <= doubt ? 0 : facing(a.p, b.p, c.p, eye);
 }
 
 double turning_doubt_rad(const RoundedPoint& a, const RoundedPoint& b, const RoundedPoint& c) {

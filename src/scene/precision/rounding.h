@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/topology.h"
+#include "scene/viewpoint.h"
 
 namespace ink::scene {
 
@@ -41,6 +42,13 @@ struct RoundedPoint {
                                 const RoundedPoint& b,
                                 const RoundedPoint& c,
                                 const RoundedPoint& d);
+
+/// The side of a face on which the eye lies, as facing() has it, or 0 where the rounding of the
+/// corners leaves it open.
+[[nodiscard]] int sure_facing(const RoundedPoint& a,
+                              const RoundedPoint& b,
+                              const RoundedPoint& c,
+                              const Viewpoint& eye);
 
 /// By how much rounding may turn a triangle about its side a, b, radians; `c` is its third corner.
 [[nodiscard]] double turning_doubt_rad(const RoundedPoint& a,

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "catalogue/shapes.h"
-#include "scene/camera_path.h"
+#include "scene/views/camera_path.h"
 #include "studies/roll_axis.h"
 #include "studies/stress/stress_cases.h"
 
@@ -138,6 +138,18 @@ void zoom(const StressPoint& point, Case& stress) {
     camera = aimed;
 }
 
+/// The eye comes nearer or goes away until the angle shows as much of the scene's middle.
+void change_view_angle(const StressPoint& point, Case& stress) {
+    scene::Camera& camera = stress.scene_views.views.front().camera;
+    const scene::Sphere bounds = scene::bounding_sphere(stress.scene_views.scene);
+    const double depth = -(camera.view_from_world * (bounds.center_world - camera.eye_world)).z;
+    const double height = 2 * depth * std::tan(camera.fov_y_rad / 2);
+    camera.fov_y_rad = glm::radians(point.value);
+    const double wanted = height / (2 * std::tan(camera.fov_y_rad / 2));
+    camera.eye_world += (wanted - depth) * glm::transpose(camera.view_from_world)[2];
+    scene::fit_clip_range(camera, bounds);
+}
+
 std::vector<Case> roll_cases(const StressPoint& point) {
     const std::vector<glm::dvec2> wedge = {{-1, -1}, {1.25, -1}, {-0.25, 1}};
     std::vector<Case> cases;
@@ -207,6 +219,23 @@ void add_place_axes(std::vector<Axis>& axes) {
                   "The focal length grows, aimed at the vertex nearest the eye: from a "
                   "scene of a few pixels to one of its corners.",
                   changed(catalogue_cases({"blocks", "gear", "rocket", "crystals"}), zoom)));
+    const std::vector<double> angles_deg = {1, 2, 5, 10, 20, 40, 60, 80};
+    const StressMaker seen_at_angles =
+        changed(catalogue_cases({"gear", "torus", "teapot", "crystals"}), change_view_angle);
+    axes.push_back(
+        make_axis({"view_angle", "vertical angle of view", "deg"},
+                  angles_deg,
+                  "The angle of view grows, and the eye comes nearer, so that the middle "
+                  "of the scene stays as large.",
+                  seen_at_angles));
+    axes.push_back(make_axis({"view_angle_direction", "vertical angle of view", "deg"},
+                             angles_deg,
+                             "As the axis before, but facing is judged by the view direction alone "
+                             "(facing = direction), "
+                             "for methods that have this parameter, as CoRgi has it.",
+                             changed(seen_at_angles, [](const StressPoint&, Case& stress) {
+                                 stress.settings = {"facing=direction"};
+                             })));
     axes.push_back(make_axis({"cube_roll", "roll of the camera", "deg", AxisScale::linear},
                              evenly(0, 350, 10),
                              "The camera turns about its view direction before a cube, a wedge and "

@@ -59,7 +59,7 @@ bool Visibility::is_coplanar(std::uint32_t face0, std::uint32_t face1) const {
 bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
     const Crossing& crossing = *point.crossing;
     const auto& p = eye_.model.topology.p_world;
-    const glm::dvec3 sight = point.p_world - eye_.eye_world();
+    const glm::dvec3 sight = eye_.eye().sight(point.p_world);
     const glm::dvec3 beside = glm::cross(crossing.end_world - crossing.begin_world, sight);
     // How much nearer the plane comes for each step to that side; on the other it recedes so.
     const auto nearing = [&](std::uint32_t face) {

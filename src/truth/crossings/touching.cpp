@@ -111,18 +111,17 @@ class Bundle {
     }
     /// As side_of, and 0 for a vertex that may lie on the edge as far as rounding can tell.
     [[nodiscard]] int sure_side_of(std::uint32_t v) const {
-        const scene::RoundedPoint eye{eye_.eye_world(), 0};
-        return -scene::sure_orient3d(point_of(edge_.a), point_of(edge_.b), point_of(v), eye);
+        return scene::sure_facing(point_of(edge_.a), point_of(edge_.b), point_of(v), eye_.eye());
     }
     /// As EyeView::side: 1 or -1, 0 in the plane of edge and eye.
     [[nodiscard]] int side_of(std::uint32_t v) const {
-        return scene::facing(p_[edge_.a], p_[edge_.b], p_[v], eye_.eye_world());
+        return scene::facing(p_[edge_.a], p_[edge_.b], p_[v], eye_.eye());
     }
     [[nodiscard]] bool hides(const Sheet& s0, const Sheet& s1) const {
         const int other = orientation(s0.vertex, s1.vertex);
         if (other == 0) return s0.face < s1.face;
         const glm::dvec3 &a = p_[edge_.a], &b = p_[edge_.b], &v0 = p_[s0.vertex];
-        return other != scene::orient3d(a, b, v0, eye_.eye_world());
+        return other != scene::orient3d(a, b, v0, eye_.eye());
     }
     /// A face seen edge-on is in the plane of edge and eye, and on neither side.
     void add(std::uint32_t f, bool is_own) {

@@ -8,7 +8,7 @@ state.define('rows.columns', []);
 const ROWS_USUAL = ['method', 'scene', 'view', 'split', 'width', 'height', 'f_2px', 'f_1px', 'precision_2px',
     'recall_2px', 'ap',
                     'mean_width_px', 'draw_ns', 'truth_px', 'false_negatives', 'false_positives', 'status'];
-const ROWS_TEXT = ['study', 'method', 'scene', 'view', 'split', 'params', 'status', 'skips_off', 'image_hash',
+const ROWS_TEXT = ['study', 'method', 'scene', 'view', 'projection', 'split', 'params', 'status', 'skips_off', 'image_hash',
     'version', 'commit',
                    'compiler', 'flags', 'cpu', 'simd'];
 const ROWS_MOST = 60;

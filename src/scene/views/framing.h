@@ -27,11 +27,14 @@ struct Frame {
                                     const glm::dmat3& view_from_world,
                                     const Frame& frame);
 
-/// `camera` moved without turning, so that `points` fill its frame; its near and far planes hold
-/// all of `scene` that is before it. Points all at one place leave it as it is.
+/// `camera` moved without turning, so that `points` fill its frame, of its own angle of view; a
+/// parallel one stands before the ball of all of `scene` and has the height that they take. Its
+/// near and far planes hold all of `scene` that is before it. Points all at one place leave it as
+/// it is.
 [[nodiscard]] Camera framed(Camera camera,
                             std::span<const glm::dvec3> points,
-                            const Frame& frame,
+                            double width_over_height,
+                            double fill,
                             const Scene& scene);
 
 /// The instances called one of `names` alone, at rest. Throws Error (where = the scene's name) that

@@ -1,4 +1,4 @@
-#include "scene/corner_view.h"
+#include "scene/views/corner_view.h"
 
 #include <cmath>
 
@@ -11,6 +11,7 @@ View corner_view(const View& view) {
     ++corners.height_px;
     const double growth = static_cast<double>(corners.height_px) / view.height_px;
     corners.camera.fov_y_rad = 2 * std::atan(std::tan(view.camera.fov_y_rad / 2) * growth);
+    corners.camera.height_world = view.camera.height_world * growth;
     return corners;
 }
 

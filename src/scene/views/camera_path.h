@@ -31,7 +31,8 @@ struct CameraPath {
     View start;            ///< frame 0; of a shake, where it rests
     Sphere bounds;         ///< of the scene, in all its poses: what is orbited and approached
     double turn_rad = 0;   ///< a frame: orbit, pan, roll; of a shake the most, either way
-    double growth = 1;     ///< dolly: by how much the middle of the scene grows a frame
+    double growth = 1;     ///< dolly: by how much the middle of the scene, or of a parallel camera
+                           ///< everything, grows a frame
     int frame_count = 24;  ///< >= 1
     double frames_per_s = 60;
     std::uint64_t seed = 0;  ///< of a shake
@@ -48,7 +49,8 @@ struct PathFrame {
 /// - orbit: the point of `bounds` that is nearest the eye;
 /// - dolly, roll: a point in the plane of the ball's middle, half the image's height from the
 ///   middle of the image; a dolly's at its first frame, then a little more each frame;
-/// - pan, shake: the middle of the image.
+/// - pan, shake: the middle of the image; of a parallel camera what is there as far away as the
+///   middle of the ball.
 /// Everything else moves about as far, the background of an orbit the other way.
 ///
 /// Frame count, rate and seed are the defaults; a caller may overwrite `turn_rad` for a path of

@@ -1,4 +1,4 @@
-#include "scene/camera_path.h"
+#include "scene/views/camera_path.h"
 
 #include <fmt/format.h>
 
@@ -66,7 +66,10 @@ double power(double base, int exponent) {
     return result;
 }
 
+/// A parallel camera sees the same from everywhere: its height shrinks instead.
 void dolly(Camera& camera, const Sphere& bounds, double growth) {
+    camera.height_world /= growth;  // 0 of a pinhole stays
+    if (camera.is_parallel()) return;
     const double depth = middle_depth(camera, bounds);
     const glm::dvec3 back_world = glm::transpose(camera.view_from_world)[2];
     camera.eye_world -= back_world * (depth - depth / growth);
@@ -96,7 +99,14 @@ double orbit_turn_rad(const View& start, const Sphere& bounds, double step_px) {
         refuse(PathKind::orbit, "the eye is right above or below the scene", "an eye beside it");
     }
     const double arm = bounds.radius * reach / distance;  // of the nearest point, from the axis
-    return step_px * gap / (Projection(start).focal_px() * arm);
+    return step_px / (Projection(start).px_per_world(gap) * arm);
+}
+
+/// The angle that carries what is in the middle of the image `step_px` across it.
+double pan_turn_rad(const View& start, const Sphere& bounds, double step_px) {
+    const double depth = start.camera.is_parallel() ? middle_depth(start.camera, bounds) : 1;
+    if (depth <= 0) refuse(PathKind::pan, "the scene lies behind the camera", "one before it");
+    return std::atan(step_px / (Projection(start).focal_px() * depth));
 }
 
 }  // namespace
@@ -135,7 +145,7 @@ CameraPath make_path(PathKind kind, const View& start, const Sphere& bounds, dou
             break;
         case PathKind::pan:
         case PathKind::shake:
-            path.turn_rad = std::atan(step_px / Projection(start).focal_px());
+            path.turn_rad = pan_turn_rad(start, bounds, step_px);
             break;
         case PathKind::roll:
             path.turn_rad = step_px / half_height_px;

@@ -1,4 +1,4 @@
-#include "scene/framing.h"
+#include "scene/views/framing.h"
 
 #include <fmt/format.h>
 
@@ -26,9 +26,29 @@ struct Extent {
         high = std::max(high, across + slope * back);
     }
     /// How far back the eye must be for this axis.
-    [[nodiscard]] double back(double slope) const { return (high - low) / (2 * slope); }
+    [[nodiscard]] double back(double slope) const { return size() / (2 * slope); }
+    [[nodiscard]] double size() const { return high - low; }
     [[nodiscard]] double middle() const { return (low + high) / 2; }
 };
+
+/// The camera that sees the points' box across its view direction.
+void fit_parallel(std::span<const glm::dvec3> points,
+                  double width_over_height,
+                  double fill,
+                  const Sphere& bounds,
+                  Camera& camera) {
+    Extent x;
+    Extent y;
+    for (const auto& p_world : points) {
+        const glm::dvec3 p = camera.view_from_world * p_world;
+        x.take(p.x, 0, 0);
+        y.take(p.y, 0, 0);
+    }
+    camera.height_world = std::max(y.size(), x.size() / width_over_height) / fill;
+    const double back = (camera.view_from_world * bounds.center_world).z + 2 * bounds.radius;
+    camera.eye_world =
+        glm::transpose(camera.view_from_world) * glm::dvec3(x.middle(), y.middle(), back);
+}
 
 }  // namespace
 
@@ -67,13 +87,20 @@ glm::dvec3 fitted_eye(std::span<const glm::dvec3> points,
 
 Camera framed(Camera camera,
               std::span<const glm::dvec3> points,
-              const Frame& frame,
+              double width_over_height,
+              double fill,
               const Scene& scene) {
     const bool is_one_place =
         std::all_of(points.begin(), points.end(), [&](const auto& p) { return p == points[0]; });
     if (is_one_place) return camera;
-    camera.eye_world = fitted_eye(points, camera.view_from_world, frame);
-    fit_clip_range(camera, bounding_sphere(scene));
+    const Sphere bounds = bounding_sphere(scene);
+    if (camera.is_parallel()) {
+        fit_parallel(points, width_over_height, fill, bounds, camera);
+    } else {
+        const Frame frame{camera.fov_y_rad, width_over_height, fill};
+        camera.eye_world = fitted_eye(points, camera.view_from_world, frame);
+    }
+    fit_clip_range(camera, bounds);
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& p_world : placed_points(scene)) {
         const double depth = -(camera.view_from_world * (p_world - camera.eye_world)).z;

@@ -1,0 +1,279 @@
+// What a parallel camera sees: closed forms, laws, and the limit of a pinhole that goes away.
+
+#include <numbers>
+
+#include "tests/truth/shapes.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kHeight_world = 8;
+constexpr double kPxPerUnit = kHeight_px / kHeight_world;
+constexpr double kPx = 0.01;  ///< every expected length holds to this
+
+/// Looks at the origin from `outward_world`.
+scene::View parallel_view(const glm::dvec3& outward_world) {
+    scene::View view = view_from(1);
+    view.camera = scene::look_at(
+        20.0 * glm::normalize(outward_world), glm::dvec3(0), {0, 1, 0}, view.camera.fov_y_rad);
+    view.camera.near = 1;
+    view.camera.far = 40;
+    view.camera.height_world = kHeight_world;
+    return view;
+}
+
+/// Where a parallel view sees a point, from the middle of the image, y up, in world units.
+glm::dvec2 seen_at(const scene::View& view, const glm::dvec3& p_world) {
+    return view.camera.view_from_world * p_world;
+}
+glm::dvec2 seen_at(const CurvePoint& p) {
+    return glm::dvec2(p.x_px - kWidth_px / 2.0, kHeight_px / 2.0 - p.y_px) / kPxPerUnit;
+}
+
+/// A prism of `sides` about the y axis.
+scene::Mesh prism(int sides, double radius, double half_height) {
+    scene::Mesh mesh;
+    const auto at = [&](int i, double y) {
+        const double turn = 2 * std::numbers::pi * (i % sides + 0.25) / sides;
+        return glm::vec3(radius * std::sin(turn), y, radius * std::cos(turn));
+    };
+    for (int i = 0; i < sides; ++i) {
+        add_quad(mesh,
+                 at(i, -half_height),
+                 at(i + 1, -half_height),
+                 at(i + 1, half_height),
+                 at(i, half_height));
+        if (i == 0) continue;
+        add_triangle(mesh, at(0, half_height), at(i, half_height), at(i + 1, half_height));
+        add_triangle(mesh, at(0, -half_height), at(i + 1, -half_height), at(i, -half_height));
+    }
+    return mesh;
+}
+
+TEST(Parallel, ACubeAlongAnAxisIsASquare) {
+    const Truth truth = trace(turned_cube(glm::dmat4(1)), parallel_view({0, 0, 1}));
+    EXPECT_EQ(truth.curves.size(), 4U);
+    for (const Curve& curve : truth.curves) {
+        EXPECT_EQ(curve.line_class, LineClass::contour);
+        EXPECT_NEAR(length_px(curve), 2 * kPxPerUnit, kPx);
+    }
+}
+
+TEST(Parallel, ACubeAlongItsDiagonalIsAHexagonAndThree) {
+    const Truth truth = trace(turned_cube(glm::dmat4(1)), parallel_view({1, 1, 1}));
+    const double side_px = 2 * std::sqrt(2.0 / 3) * kPxPerUnit;
+    ASSERT_EQ(truth.curves.size(), 9U);
+    for (const Curve& curve : truth.curves)
+        EXPECT_NEAR(length_px(curve), side_px, kPx);
+    EXPECT_NEAR(lengths(truth).at(LineClass::contour), 6 * side_px, 6 * kPx);
+    EXPECT_NEAR(lengths(truth).at(LineClass::crease), 3 * side_px, 3 * kPx);
+    for (const Curve& curve : truth.curves) {
+        const double near_middle =
+            std::min(glm::length(seen_at(curve.begin)), glm::length(seen_at(curve.end)));
+        if (curve.line_class == LineClass::crease) {
+            EXPECT_NEAR(near_middle, 0, 1e-6) << "all three meet in the middle";
+        }
+    }
+}
+
+// A convex body shows an edge in full if one of its faces does; it is a contour if just one does.
+TEST(Parallel, APrismShowsTheEdgesOfItsFrontFaces) {
+    const scene::Scene scene = scene_of({prism(6, 1.5, 1)});
+    for (const glm::dvec3 outward : {glm::dvec3{0.3, 0.4, 1}, {-1, 0.2, 0.1}, {0.1, 2, 0.3}}) {
+        const scene::View view = parallel_view(outward);
+        const Truth truth = trace(scene, view);
+        const scene::Topology topology = scene::weld(scene);
+        std::map<LineClass, double> expected;
+        for (const scene::Edge& edge : topology.edges) {
+            std::vector<glm::dvec3> normals;
+            for (std::size_t i = 0; i < edge.face_count; ++i) {
+                const auto& [a, b, c] =
+                    topology.faces[topology.edge_faces[edge.first_face + i]].vertices;
+                const auto& p = topology.p_world;
+                normals.push_back(glm::normalize(glm::cross(p[b] - p[a], p[c] - p[a])));
+            }
+            ASSERT_EQ(normals.size(), 2U);
+            if (glm::dot(normals[0], normals[1]) > 0.999) continue;  // of one flat face
+            const bool is_front0 = glm::dot(normals[0], outward) > 0;
+            const bool is_front1 = glm::dot(normals[1], outward) > 0;
+            if (!is_front0 && !is_front1) continue;
+            const double length = glm::length(seen_at(view, topology.p_world[edge.a]) -
+                                              seen_at(view, topology.p_world[edge.b]));
+            const auto line_class = is_front0 != is_front1 ? LineClass::contour : LineClass::crease;
+            expected[line_class] += kPxPerUnit * length;
+        }
+        const auto found = lengths(truth);
+        EXPECT_EQ(found.size(), expected.size());
+        for (const auto& [line_class, length] : expected)
+            EXPECT_NEAR(found.at(line_class), length, 10 * kPx) << name(line_class);
+    }
+}
+
+TEST(Parallel, ACylinderHasTwoLinesAndTwoEllipses) {
+    constexpr int kSides = 360;
+    constexpr double kRadius = 1.5, kHalf = 1;
+    const double tilt = 0.5;
+    const Truth truth = trace(scene_of({prism(kSides, kRadius, kHalf)}),
+                              parallel_view({0, std::sin(tilt), std::cos(tilt)}));
+    const double sagitta = kRadius * (1 - std::cos(std::numbers::pi / kSides));
+    const auto is_on_rim = [&](const glm::dvec2& p, double y) {
+        const glm::dvec2 from_middle(p.x, (p.y - y * std::cos(tilt)) / std::sin(tilt));
+        return std::abs(glm::length(from_middle) - kRadius) < sagitta + 1e-6;
+    };
+    double length = 0;
+    for (const Curve& curve : truth.curves) {
+        for (const CurvePoint& end : {curve.begin, curve.end}) {
+            const glm::dvec2 p = seen_at(end);
+            const bool is_on_side = std::abs(std::abs(p.x) - kRadius) < sagitta + 1e-6;
+            EXPECT_TRUE(is_on_side || is_on_rim(p, kHalf) || is_on_rim(p, -kHalf));
+        }
+        length += length_px(curve);
+    }
+    // One rim is seen all round, the other from before alone.
+    double ellipse = 0;
+    const auto on_ellipse = [&](int i) {
+        const double turn = 2 * std::numbers::pi * i / 10000;
+        return kRadius * glm::dvec2(std::sin(turn), std::sin(tilt) * std::cos(turn));
+    };
+    for (int i = 0; i < 10000; ++i)
+        ellipse += glm::length(on_ellipse(i + 1) - on_ellipse(i));
+    const double expected = 1.5 * ellipse + 2 * 2 * kHalf * std::cos(tilt);
+    EXPECT_NEAR(length / kPxPerUnit, expected, 0.001 * expected);
+}
+
+// A torus is what balls along a circle sweep: the outline of their shadow is as far from the
+// circle's ellipse as they are wide.
+TEST(Parallel, ATorusRunsBesideItsEllipse) {
+    constexpr int kAround = 192, kAcross = 96;
+    constexpr double kRing = 2, kTube = 0.5;
+    const double tilt = 0.9;
+    scene::Mesh mesh;
+    const auto at = [&](int i, int j) {
+        const double u = 2 * std::numbers::pi * (i % kAround) / kAround;
+        const double v = 2 * std::numbers::pi * (j % kAcross) / kAcross;
+        const double r = kRing + kTube * std::cos(v);
+        return glm::vec3(r * std::sin(u), kTube * std::sin(v), r * std::cos(u));
+    };
+    for (int i = 0; i < kAround; ++i) {
+        for (int j = 0; j < kAcross; ++j)
+            add_quad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+    const Truth truth = trace(scene_of({mesh}), parallel_view({0, std::sin(tilt), std::cos(tilt)}));
+    ASSERT_GT(truth.curves.size(), 300U);
+    for (const Curve& curve : truth.curves) {
+        EXPECT_EQ(curve.line_class, LineClass::contour);
+        const glm::dvec2 p = seen_at(curve.begin);
+        double nearest = 1e9;
+        for (int i = 0; i < 2000; ++i) {
+            const double turn = 2 * std::numbers::pi * i / 2000;
+            const glm::dvec2 middle =
+                kRing * glm::dvec2(std::sin(turn), std::sin(tilt) * std::cos(turn));
+            nearest = std::min(nearest, glm::length(p - middle));
+        }
+        EXPECT_NEAR(nearest, kTube, 0.01);
+    }
+}
+
+/// Objects that hide, pierce and abut each other.
+scene::Scene crowd() {
+    scene::Mesh pyramid;
+    const glm::vec3 top{0.2F, 1.7F, 0.1F};
+    const std::array<glm::vec3, 4> foot = {glm::vec3(-0.9F, 0.1F, 0.8F),
+                                           glm::vec3(1.1F, 0.05F, 0.9F),
+                                           glm::vec3(1, 0.15F, -1.1F),
+                                           glm::vec3(-1, 0.1F, -0.9F)};
+    for (std::size_t i = 0; i < 4; ++i)
+        add_triangle(pyramid, foot[i], foot[(i + 1) % 4], top);
+    return scene_of({quad({-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}),
+                     box({-2, 0, -1}, {-1, 1, 1}),
+                     box({-1, 0, -1}, {0, 1, 1}),
+                     pyramid,
+                     box({0.5F, -0.5F, 1}, {1.5F, 0.5F, 2.2F})});
+}
+
+std::size_t differing_px(const Truth& a, const Truth& b) {
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.labels.size(); ++i)
+        differing += a.labels.data()[i] != b.labels.data()[i] ? 1 : 0;
+    return differing;
+}
+
+TEST(Parallel, IsWhereAPinholeGoesThatGoesAway) {
+    constexpr double kFov_rad = 0.01 * std::numbers::pi / 180;
+    const scene::Scene scene = crowd();
+    const scene::View parallel = parallel_view({3, 4, 9});
+    scene::View far = parallel;
+    const double distance = kHeight_world / 2 / std::tan(kFov_rad / 2);
+    far.camera.eye_world = glm::normalize(parallel.camera.eye_world) * distance;
+    far.camera.fov_y_rad = kFov_rad;
+    far.camera.height_world = 0;
+    far.camera.near = distance - 20;
+    far.camera.far = distance + 20;
+    const Truth a = trace(scene, parallel), b = trace(scene, far);
+    EXPECT_GT(drawn_px(a), 1000U);
+    EXPECT_LT(differing_px(a, b), a.labels.size() / 1000);
+    for (const auto& [line_class, length] : lengths(a))
+        EXPECT_NEAR(lengths(b).at(line_class), length, 2) << name(line_class);
+}
+
+TEST(Parallel, TurnedWithTheSceneItSeesTheSame) {
+    const scene::Scene scene = crowd();
+    const scene::View view = parallel_view({3, 4, 9});
+    const Truth still = trace(scene, view);
+    for (const double angle : {0.7, 2.1, 4.0}) {
+        const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, glm::dvec3(1, 2, -0.5));
+        scene::Scene turned = scene;
+        for (scene::Instance& instance : turned.instances)
+            instance.world_from_object = turn * instance.world_from_object;
+        scene::View with = view;
+        with.camera.eye_world = turn * glm::dvec4(view.camera.eye_world, 1);
+        with.camera.view_from_world =
+            view.camera.view_from_world * glm::transpose(glm::dmat3(turn));
+        EXPECT_LT(differing_px(still, trace(turned, with)), still.labels.size() / 1000);
+    }
+}
+
+TEST(Parallel, NeitherOrientationNorOrderNorThreadsChangeAnything) {
+    scene::Scene scene = crowd();
+    const scene::View view = parallel_view({3, 4, 9});
+    const Truth straight = trace(scene, view);
+    expect_same_truth(straight, trace(scene, view, 2));
+    for (scene::Mesh& mesh : scene.meshes) {
+        std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+        for (std::size_t t = 0; t < mesh.triangles.size(); t += 2)
+            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    }
+    const Truth mixed = trace(scene, view);
+    EXPECT_EQ(straight.labels, mixed.labels);
+    EXPECT_EQ(straight.sampled, mixed.sampled);
+    EXPECT_EQ(straight.exact_corner, mixed.exact_corner);
+}
+
+TEST(Parallel, AMirrorKeepsAllLengths) {
+    const scene::Scene scene = crowd();
+    scene::Scene mirrored = scene;
+    for (scene::Instance& instance : mirrored.instances)
+        instance.world_from_object = glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1));
+    const Truth a = trace(scene, parallel_view({3, 4, 9}));
+    const Truth b = trace(mirrored, parallel_view({-3, 4, 9}));
+    for (const auto& [line_class, length] : lengths(a))
+        EXPECT_NEAR(lengths(b).at(line_class), length, 1e-6) << name(line_class);
+}
+
+// From where it stands nothing depends but what is cut.
+TEST(Parallel, TheNearPlaneCutsAndTheWayToItDoesNotCount) {
+    const scene::Scene scene = turned_cube(glm::dmat4(1));
+    scene::View view = parallel_view({1, 2, 3});
+    const Truth from_afar = trace(scene, view);
+    view.camera.eye_world *= 0.5;
+    view.camera.far = 30;
+    EXPECT_EQ(from_afar.labels, trace(scene, view).labels);
+    view = parallel_view({0, 0, 1});
+    view.camera.near = 20;
+    const Truth cut = trace(scene, view);
+    EXPECT_EQ(drawn_px(cut), drawn_px(trace(scene, parallel_view({0, 0, 1}))))
+        << "one looks at the back wall from inside";
+}
+
+}  // namespace
+}  // namespace ink::truth
