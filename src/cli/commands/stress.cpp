@@ -18,7 +18,7 @@ void add_stress_command(CLI::App& app) {
     options.add_to(*command, {"grid.axes"});
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
-    options.add_to(*command, {"grid.points"});
+    options.add_to(*command, {"grid.points", "grid.projection"});
     command->add_option("--size", args->views.size, "Size of an image")->capture_default_str();
     options.add_to(*command, {"grid.threads"}, "Threads of a method");
     options.add_to(*command, {"seed"}, "Of the intervals");

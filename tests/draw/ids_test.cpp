@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "import/import.h"
+#include "tests/draw/id_agreement.h"
 #include "tests/models/fetched_model.h"
-#include "tests/raster/id_agreement.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::raster {

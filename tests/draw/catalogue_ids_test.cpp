@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "catalogue/catalogue.h"
-#include "tests/raster/id_agreement.h"
+#include "tests/draw/id_agreement.h"
 
 namespace ink::raster {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/raster/id_agreement.h"
+#include "tests/draw/id_agreement.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
