@@ -103,7 +103,7 @@ class ProgramRunner {
     harness::OutsideImage draw(const scene::Scene& scene, const scene::View& view) {
         const std::uint64_t hash = scene::scene_hash(scene);
         if (!meshes_ || hash != scene_hash_) {
-            meshes_ = write_meshes(scene, scratch_.path() / "scene");
+            meshes_ = write_meshes(scene, {}, scratch_.path() / "scene");
             scene_hash_ = hash;
         }
         const fs::path folder = scratch_.path() / "scene" / "view";

@@ -142,6 +142,28 @@ void append_chunk(std::string& glb, std::string chunk, const char* type, char pa
     glb += chunk;
 }
 
+glm::dmat4 world_from_view(const scene::Camera& camera) {
+    glm::dmat4 matrix(glm::transpose(camera.view_from_world));
+    matrix[3] = glm::dvec4(camera.eye_world, 1);
+    return matrix;
+}
+
+/// glTF 2.0, section 3.10: magnifications are half of what is seen.
+Json camera_json(const scene::View& view) {
+    const scene::Camera& camera = view.camera;
+    const double aspect = static_cast<double>(view.width_px) / view.height_px;
+    Json lens = {{"znear", camera.near}, {"zfar", camera.far}};
+    if (camera.is_parallel()) {
+        lens["xmag"] = camera.height_world / 2 * aspect;
+        lens["ymag"] = camera.height_world / 2;
+    } else {
+        lens["yfov"] = camera.fov_y_rad;
+        lens["aspectRatio"] = aspect;
+    }
+    const char* type = camera.is_parallel() ? "orthographic" : "perspective";
+    return {{"type", type}, {type, lens}};
+}
+
 }  // namespace
 
 void write_obj(const scene::Scene& scene, const std::filesystem::path& path) {
@@ -172,7 +194,9 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path) {
     core::write_whole_file(path, text);
 }
 
-void write_glb(const scene::Scene& scene, const std::filesystem::path& path) {
+void write_glb(const scene::Scene& scene,
+               std::span<const scene::View> views,
+               const std::filesystem::path& path) {
     GlbBuffer buffer;
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "inkbench"}}}, {"scene", 0}};
     const auto places = material_places(scene);
@@ -198,6 +222,17 @@ void write_glb(const scene::Scene& scene, const std::filesystem::path& path) {
                          {"extras", {{"object", i}}}});
         roots.push_back(i);
     }
+    Json cameras = Json::array();
+    for (const scene::View& view : views) {
+        const glm::dmat4 matrix = world_from_view(view.camera);
+        nodes.push_back(
+            {{"name", view.camera.name},
+             {"camera", cameras.size()},
+             {"matrix", std::vector<double>(glm::value_ptr(matrix), glm::value_ptr(matrix) + 16)}});
+        roots.push_back(nodes.size() - 1);
+        cameras.push_back(camera_json(view));
+    }
+    if (!cameras.empty()) gltf["cameras"] = cameras;
     gltf["scenes"] = {{{"name", scene.name}, {"nodes", roots}}};
     gltf["nodes"] = nodes;
     gltf["meshes"] = meshes;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "scene/scene.h"
 
@@ -14,8 +15,11 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path);
 
 /// Writes the scene as it stands as binary glTF 2.0: a mesh per mesh with a primitive per material,
 /// a node per instance with its matrix and `extras.object`, materials with `extras.material`.
-/// Positions are the same floats; normals where the file had them. Throws core::Error if it cannot
+/// Positions are the same floats; normals where the file had them. A camera per view, called by its
+/// name. Throws core::Error if it cannot
 /// be written, or needs more than the 4 GiB that the format holds.
-void write_glb(const scene::Scene& scene, const std::filesystem::path& path);
+void write_glb(const scene::Scene& scene,
+               std::span<const scene::View> views,
+               const std::filesystem::path& path);
 
 }  // namespace ink::entrants

@@ -247,11 +247,13 @@ std::string view_json(const scene::Scene& scene, const scene::View& view, const 
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-ViewFiles write_meshes(const scene::Scene& scene, const fs::path& folder) {
+ViewFiles write_meshes(const scene::Scene& scene,
+                       std::span<const scene::View> views,
+                       const fs::path& folder) {
     harness::make_out_folder(folder);
     ViewFiles files{folder / "mesh.obj", folder / "mesh.glb"};
     write_obj(scene, files.obj);
-    write_glb(scene, files.glb);
+    write_glb(scene, views, files.glb);
     return files;
 }
 

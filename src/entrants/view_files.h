@@ -40,8 +40,10 @@ struct ViewFiles {
                                     const scene::View& view,
                                     const ViewFiles& files);
 
-/// Writes the meshes of a scene to `folder`: mesh.obj and mesh.glb. Makes the folder.
+/// Writes the meshes of a scene to `folder`: mesh.obj and mesh.glb, this with a camera per
+/// view. Makes the folder.
 [[nodiscard]] ViewFiles write_meshes(const scene::Scene& scene,
+                                     std::span<const scene::View> views,
                                      const std::filesystem::path& folder);
 
 /// Writes camera.json, buffers.exr and ids.png of a view to `folder`. `meshes` says where the

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "catalogue/catalogue.h"
@@ -16,6 +17,7 @@
 #include "harness/outside_method.h"
 #include "harness/suite.h"
 #include "image_io/image_file.h"
+#include "import/import.h"
 #include "tests/core/temp_folder.h"
 
 namespace ink::entrants {
@@ -190,7 +192,7 @@ TEST_F(Entrants, ObjHasEveryTriangleInWorldSpace) {
 
 TEST_F(Entrants, GlbHoldsTheMeshesAndNodes) {
     const scene::Scene scene = catalogue::make_catalogue_scene("figure");
-    write_glb(scene, folder_ / "mesh.glb");
+    write_glb(scene, {}, folder_ / "mesh.glb");
     const std::string bytes = core::read_whole_file(folder_ / "mesh.glb").value_or("");
     ASSERT_EQ(bytes.substr(0, 4), "glTF");
     std::uint32_t length = 0;
@@ -210,8 +212,40 @@ TEST_F(Entrants, GlbHoldsTheMeshesAndNodes) {
     EXPECT_EQ(corners, expected);
 }
 
-TEST(ViewBuffers, AreThoseOfTheSurfaceThatIsSeen) {
+TEST_F(Entrants, GlbHoldsCamerasThatComeBack) {
+    const scene::Scene scene = catalogue::make_catalogue_scene("figure");
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
+    std::vector<scene::View> views = {{scene.cameras.front(), 160, 90},
+                                      {scene.cameras.back(), 160, 90}};
+    views[1].camera = scene::projected(scene::ProjectionKind::parallel, views[1].camera, bounds);
+    views[1].camera.name = "flat";
+    write_glb(scene, views, folder_ / "mesh.glb");
+    const scene::Scene again = import::import_scene(folder_ / "mesh.glb");
+    ASSERT_EQ(again.cameras.size(), 2U);
+    EXPECT_EQ(again.cameras[0].fov_y_rad, views[0].camera.fov_y_rad);
+    EXPECT_FALSE(again.cameras[0].is_parallel());
+    EXPECT_EQ(again.cameras[1].name, "flat");
+    EXPECT_NEAR(again.cameras[1].height_world, views[1].camera.height_world, 1e-12);
+    for (std::size_t v = 0; v < 2; ++v) {
+        EXPECT_LT(glm::distance(again.cameras[v].eye_world, views[v].camera.eye_world), 1e-12);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_LT(glm::distance(again.cameras[v].view_from_world[axis],
+                                    views[v].camera.view_from_world[axis]),
+                      1e-9);
+        }
+    }
+}
+
+class Projected : public testing::TestWithParam<scene::ProjectionKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Either,
+                         Projected,
+                         testing::Values(scene::ProjectionKind::perspective,
+                                         scene::ProjectionKind::parallel));
+
+TEST_P(Projected, BuffersAreThoseOfTheSurfaceThatIsSeen) {
     harness::ViewRequest request;
+    request.projections = {GetParam()};
     request.width_px = 160;
     request.height_px = 90;
     const harness::SceneViews ball = harness::load_one_view("sphere", "", request);
@@ -229,9 +263,7 @@ TEST(ViewBuffers, AreThoseOfTheSurfaceThatIsSeen) {
             }
             ++seen;
             EXPECT_EQ(buffers.object.at(x, y), 0U);
-            const glm::dvec3 p_world =
-                view.camera.eye_world +
-                static_cast<double>(w) * projection.ray_world(x + 0.5, y + 0.5);
+            const glm::dvec3 p_world = projection.at(x + 0.5, y + 0.5, static_cast<double>(w));
             const glm::dvec3 out = (p_world - bounds.center_world) / bounds.radius;
             EXPECT_NEAR(glm::length(out), 1, 0.02) << "on the ball";
             const glm::dvec3 n_view = view.camera.view_from_world * glm::normalize(out);
@@ -242,8 +274,9 @@ TEST(ViewBuffers, AreThoseOfTheSurfaceThatIsSeen) {
     EXPECT_GT(seen, 500);
 }
 
-TEST(ViewJson, ItsMatricesPutPointsWhereTheProjectionDoes) {
+TEST_P(Projected, MatricesOfJsonPutPointsWhereTheProjectionDoes) {
     harness::ViewRequest request;
+    request.projections = {GetParam()};
     request.width_px = 160;
     request.height_px = 90;
     const harness::SceneViews cube = harness::load_one_view("cube", "", request);
@@ -262,6 +295,7 @@ TEST(ViewJson, ItsMatricesPutPointsWhereTheProjectionDoes) {
         const glm::dvec3 expected = scene::Projection(view).to_clip(p);
         EXPECT_NEAR((clip[0] / clip[3] + 1) / 2 * 160, expected.x / expected.z, 1e-9);
         EXPECT_NEAR((1 - clip[1] / clip[3]) / 2 * 90, expected.y / expected.z, 1e-9);
+        EXPECT_LT(std::abs(clip[2] / clip[3]), 1) << "between near and far";
     }
 }
 

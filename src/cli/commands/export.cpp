@@ -60,7 +60,7 @@ std::string export_scene(const ExportArgs& args,
                          const harness::TraceOptions& trace) {
     const scene::Scene& scene = scene_views.scene;
     const fs::path folder = fs::path(args.out) / harness::file_name(scene.name);
-    const entrants::ViewFiles meshes = entrants::write_meshes(scene, folder);
+    const entrants::ViewFiles meshes = entrants::write_meshes(scene, scene_views.views, folder);
     truth::SceneModel model(scene, trace.truth);
     std::string lines;
     for (const scene::View& view : scene_views.views) {
