@@ -19,15 +19,18 @@ struct DrawnTriangle {
 
 namespace {
 
-/// Sets the shares of the corners at a point of the image.
+/// Sets the shares of the corners at a point of the image, from (x, y, h), linear in the world.
 ///
 /// Source: Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
 /// Hardware 1997, section 3.
-void share_out(const glm::dvec3& p_px, DrawnTriangle& corners) {
+void share_out(const glm::dvec3& p_px, bool is_parallel, DrawnTriangle& corners) {
     double sum = 0;
+    const auto at = [&](std::size_t i) {
+        const glm::dvec3& p = corners.p_clip[i % 3];
+        return is_parallel ? p / p.z : p;
+    };
     for (std::size_t i = 0; i < 3; ++i) {
-        corners.share[i] =
-            glm::dot(p_px, glm::cross(corners.p_clip[(i + 1) % 3], corners.p_clip[(i + 2) % 3]));
+        corners.share[i] = glm::dot(p_px, glm::cross(at(i + 1), at(i + 2)));
         sum += corners.share[i];
     }
     for (double& share : corners.share)
@@ -36,13 +39,16 @@ void share_out(const glm::dvec3& p_px, DrawnTriangle& corners) {
 
 /// The piece of a triangle that a method draws at a point of the image, if the near plane cuts
 /// the triangle: what is computed at corners is computed at the corners of the cut.
-DrawnTriangle cut_corners(const DrawnTriangle& whole, const glm::dvec3& p_px, double near) {
+DrawnTriangle cut_corners(const DrawnTriangle& whole,
+                          const glm::dvec3& p_px,
+                          const scene::Camera& camera) {
     raster::CutVertices vertices{{whole.p_clip.begin(), whole.p_clip.end()},
-                                 {whole.n_view.begin(), whole.n_view.end()}};
+                                 {whole.n_view.begin(), whole.n_view.end()},
+                                 camera.is_parallel()};
     raster::CutTriangles pieces;
     const scene::Triangle triangle{0, 1, 2};
     const std::int8_t facing = 1;
-    raster::cut_triangles({&triangle, 1}, {&facing, 1}, near, vertices, pieces);
+    raster::cut_triangles({&triangle, 1}, {&facing, 1}, camera.near, vertices, pieces);
     DrawnTriangle best = whole;
     double best_share = -std::numeric_limits<double>::infinity();
     for (const scene::Triangle& piece : pieces.triangles) {
@@ -51,7 +57,7 @@ DrawnTriangle cut_corners(const DrawnTriangle& whole, const glm::dvec3& p_px, do
             corners.p_clip[i] = vertices.p_clip[piece[i]];
             corners.n_view[i] = vertices.n[piece[i]];
         }
-        share_out(p_px, corners);
+        share_out(p_px, camera.is_parallel(), corners);
         // The point lies in the piece in which its least share is largest.
         const double least = *std::min_element(corners.share.begin(), corners.share.end());
         if (least > best_share) best = corners;
@@ -84,7 +90,7 @@ TruthCode::Inputs TruthCode::inputs_at(int x_px, int y_px, std::uint32_t triangl
     const glm::dvec3& a = surface_.p_world[indices[0]];
     const glm::dvec3 normal =
         glm::cross(surface_.p_world[indices[1]] - a, surface_.p_world[indices[2]] - a);
-    const double side = glm::dot(normal, camera_.eye_world - a) < 0 ? -1 : 1;
+    const double side = glm::dot(normal, camera_.viewpoint().sight(a)) > 0 ? -1 : 1;
 
     const glm::dvec3 p_px(x_px + 0.5, y_px + 0.5, 1);
     DrawnTriangle corners;
@@ -95,8 +101,8 @@ TruthCode::Inputs TruthCode::inputs_at(int x_px, int y_px, std::uint32_t triangl
             side * (camera_.view_from_world * glm::dvec3(surface_.n_world[indices[i]]));
         is_whole = is_whole && !raster::needs_cut(corners.p_clip[i], camera_.near);
     }
-    share_out(p_px, corners);
-    if (!is_whole) corners = cut_corners(corners, p_px, camera_.near);
+    share_out(p_px, camera_.is_parallel(), corners);
+    if (!is_whole) corners = cut_corners(corners, p_px, camera_);
     return interpolated(corners);
 }
 
@@ -108,8 +114,10 @@ TruthCode::Inputs TruthCode::interpolated(const DrawnTriangle& corners) const {
     };
     double w = 0;
     for (std::size_t i = 0; i < 3; ++i)
-        w += share[i] * p_clip[i].z;
-    if (code_.inputs.interpolation == raster::Interpolation::affine) {
+        w += share[i] * (camera_.is_parallel() ? 1 / p_clip[i].z : p_clip[i].z);
+    if (camera_.is_parallel()) {
+        w = 1 / w;  // where all is affine on the screen
+    } else if (code_.inputs.interpolation == raster::Interpolation::affine) {
         for (std::size_t i = 0; i < 3; ++i)
             share[i] *= p_clip[i].z / w;
     }

@@ -79,6 +79,10 @@ Camera projected(ProjectionKind kind, const Camera& camera, const Sphere& bounds
     Camera result = camera;
     if (kind == ProjectionKind::parallel) {
         result.height_world = 2 * depth * std::tan(camera.fov_y_rad / 2);
+        // Beyond near + far it sees nothing.
+        Camera fitted = result;
+        fit_clip_range(fitted, bounds);
+        result.far = std::max(result.far, fitted.far);
     } else {
         constexpr double kRadPerDeg = std::numbers::pi / 180;
         result.height_world = 0;

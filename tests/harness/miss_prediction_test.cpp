@@ -7,7 +7,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/named.h"
 #include "harness/cell.h"
+#include "harness/suite.h"
 #include "harness/truth_code.h"
 #include "methods/registry.h"
 #include "tests/scene/small_meshes.h"
@@ -209,6 +211,42 @@ TEST(TruthCode, IsTheWeightedSumOfDepthAndNormal) {
     code.depth_weight = -90;
     EXPECT_NEAR(middle_code(scene, view, code).channels[0], -60, 1e-5);
     EXPECT_EQ(middle_code(scene, view, code).code, 95);
+}
+
+// A view from inside is among them, whose triangles the near plane cuts.
+TEST(TruthCode, IsWhatMethodsDrawUnderBothProjections) {
+    for (const char* name : {"gear", "torus", "room", "fence"}) {
+        ViewRequest request;
+        request.width_px = 320;
+        request.height_px = 180;
+        using enum scene::ProjectionKind;
+        request.projections = {perspective, parallel};
+        const SceneViews of = make_scene_views(load_scene(name), request);
+        const auto method = methods::find_method("mote4").make({});
+        method->prepare(of.scene);
+        method->pose(of.scene);
+        const method::LinearCode code = method->code().value();
+        const scene::Surface surface =
+            scene::flatten(of.scene, code.inputs.normals, code.inputs.crease_rad);
+        for (const scene::View& view : of.views) {
+            const core::Image<std::uint32_t> triangle =
+                truth::trace_truth(of.scene, view, {}).layers.triangle;
+            const TruthCode truth_code(surface, scene::bounding_sphere(of.scene), view, code);
+            const auto layers = method->layers({view, 1});
+            const method::Layer* packed = core::find_named(layers, "packed");
+            ASSERT_NE(packed, nullptr);
+            std::size_t seen = 0, off = 0;
+            for (int y = 0; y < view.height_px; ++y) {
+                for (int x = 0; x < view.width_px; ++x) {
+                    if (triangle.at(x, y) == truth::kNoTriangle) continue;
+                    const int expected = truth_code.at(x, y, triangle.at(x, y)).code;
+                    ++seen;
+                    off += std::abs(packed->codes[0].at(x, y) - expected) > 1 ? 1 : 0;
+                }
+            }
+            EXPECT_LE(off, seen / 100) << name << " " << view.camera.name << " " << seen;
+        }
+    }
 }
 
 TEST(TruthCode, ABackShowsTheNegatedNormal) {

@@ -28,6 +28,7 @@ void MeshRun::add_scalar(const MeshJob& job, std::size_t index, bool hides_backs
 
     cut_vertices_.p_clip.clear();
     cut_vertices_.n.clear();
+    cut_vertices_.is_parallel = camera.is_parallel();
     bool is_whole = true;
     for (std::size_t i = 0; i < cluster.vertex_count; ++i) {
         const std::size_t corner = clusters.vertices[cluster.first_vertex + i];

@@ -32,7 +32,9 @@ std::uint32_t cut_edge(std::uint32_t inside,
     const double t = from / (from - inside_by(plane, b, near, kCutBand_px));
     glm::dvec3 p = a + t * (b - a);
     p.z = plane == 0 ? near : std::max(p.z, near);  // see clip.cpp
-    const glm::vec3 n = glm::mix(vertices.n[inside], vertices.n[outside], static_cast<float>(t));
+    const double share = vertices.is_parallel ? t * b.z / (a.z + t * (b.z - a.z)) : t;
+    const glm::vec3 n =
+        glm::mix(vertices.n[inside], vertices.n[outside], static_cast<float>(share));
     vertices.p_clip.push_back(p);
     vertices.n.push_back(n);
     return static_cast<std::uint32_t>(vertices.p_clip.size() - 1);

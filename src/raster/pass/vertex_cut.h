@@ -13,6 +13,7 @@ namespace ink::raster {
 struct CutVertices {
     std::vector<glm::dvec3> p_clip;
     std::vector<glm::vec3> n;
+    bool is_parallel = false;  ///< of a parallel camera: 1/w, not w, is linear in the world
 };
 
 /// Triangles and the side that each shows.
