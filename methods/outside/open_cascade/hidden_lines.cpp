@@ -3,13 +3,12 @@
 //     hidden_lines exact|polygonal|triangles mesh.obj lines.txt < camera
 //
 // The camera is a parallel one, in numbers: width and height in px, px per unit of length, and
-// three rows of four of view_from_world. lines.txt gets "visible x,y x,y" and "hidden x,y x,y", in
-// px, of outlines, boundaries and creases, or "triangle x,y x,y x,y". Seconds go to standard output.
+// three rows of four of view_from_world. lines.txt gets "visible x,y x,y" and "hidden x,y x,y" in
+// px, or "triangle x,y x,y x,y". Seconds go to standard output.
 //
-// A shape of triangles has an edge at each side of a triangle, and the algorithms draw all of them.
-// So each edge that is to be left out is marked as smooth (continuity G1) before: where its two
-// faces bend by less than the crease angle and lie on either side of it in the image. Smooth edges
-// come back in lists of their own, which are not written.
+// The algorithms would draw every side of a triangle. Where two faces bend by less than the crease
+// angle and lie on either side of their edge in the image, the edge is marked as smooth (G1)
+// before, and comes back in a list that is not written. Creases, outlines and boundaries are.
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -26,13 +25,11 @@
 #include <HLRBRep_PolyHLRToShape.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <fstream>
-#include <gp_Pln.hxx>
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
@@ -77,7 +74,6 @@ Camera read_camera(std::istream& in) {
 /// tolerances are lengths.
 Objects read_objects(const std::string& path, const Camera& camera) {
     std::ifstream file(path);
-    if (!file) throw std::runtime_error(path + ": cannot be read");
     std::vector<gp_Pnt> points;
     Objects objects;
     for (char kind; file >> kind;) {
@@ -92,11 +88,14 @@ Objects read_objects(const std::string& path, const Camera& camera) {
         }
         std::getline(file, rest);
     }
-    if (!file.eof()) throw std::runtime_error(path + ": not as inkbench export writes it");
+    if (!file.eof())
+        throw std::runtime_error(path + ": cannot be read as inkbench export writes it");
     return objects;
 }
 
-TopoDS_Shape sewn(const std::vector<Triangle>& triangles) {
+/// Adds faces that share edges, without their shells: the algorithms leave out the back faces of a
+/// closed shell, and sewing turns some shells of imported models inside out.
+void add_sewn(const std::vector<Triangle>& triangles, TopoDS_Compound& shape) {
     BRepBuilderAPI_Sewing sewing(kSewingPx);
     for (const Triangle& t : triangles) {
         const gp_Vec normal = gp_Vec(t[0], t[1]).Crossed(gp_Vec(t[0], t[2]));
@@ -106,7 +105,8 @@ TopoDS_Shape sewn(const std::vector<Triangle>& triangles) {
         if (face.IsDone()) sewing.Add(face.Face());
     }
     sewing.Perform();
-    return sewing.SewedShape();
+    for (TopExp_Explorer at(sewing.SewedShape(), TopAbs_FACE); at.More(); at.Next())
+        BRep_Builder().Add(shape, at.Current());
 }
 
 gp_Vec along_of(const TopoDS_Edge& edge) {
@@ -146,9 +146,9 @@ void mark_smooth_edges(const TopoDS_Shape& shape, const gp_Vec& back) {
     for (int i = 1; i <= faces_of.Extent(); ++i) {
         const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
         const TopTools_ListOfShape& faces = faces_of(i);
-        if (!is_smooth(edge, faces, back)) continue;
-        BRep_Builder().Continuity(
-            edge, TopoDS::Face(faces.First()), TopoDS::Face(faces.Last()), GeomAbs_G1);
+        if (is_smooth(edge, faces, back))
+            BRep_Builder().Continuity(
+                edge, TopoDS::Face(faces.First()), TopoDS::Face(faces.Last()), GeomAbs_G1);
     }
 }
 
@@ -220,7 +220,7 @@ void run(const std::string& method, const std::string& mesh, std::ostream& out) 
     TopoDS_Compound shape;
     BRep_Builder().MakeCompound(shape);
     for (const auto& object : objects)
-        BRep_Builder().Add(shape, sewn(object));
+        add_sewn(object, shape);
     const double sewn_at = seconds();
     mark_smooth_edges(shape, camera.axes.Direction());
     if (method == "polygonal") BRepMesh_IncrementalMesh(shape, 1);

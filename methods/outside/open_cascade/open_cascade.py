@@ -97,15 +97,24 @@ def points(lines, kind, corners):
     return numpy.array(numbers, float).reshape(-1, corners, 2)
 
 
+def fill(triangle, image):
+    """Every pixel whose centre a triangle covers."""
+    first = numpy.maximum(numpy.floor(triangle.min(axis=0)), 0).astype(int)
+    last = numpy.minimum(numpy.ceil(triangle.max(axis=0)), image.shape[::-1]).astype(int)
+    y, x = numpy.mgrid[first[1]:last[1], first[0]:last[0]] + 0.5
+    sides = [(b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
+             for a, b in zip(triangle, numpy.roll(triangle, -1, axis=0))]
+    is_inside = (numpy.min(sides, axis=0) >= 0) | (numpy.max(sides, axis=0) <= 0)
+    image[first[1]:last[1], first[0]:last[0]][is_inside] = 255
+
+
 def mask(name, view):
     """The mesh in white, as the projector of Open CASCADE places it."""
-    from PIL import Image, ImageDraw
-
-    image = Image.new("L", view.size_px)
-    pen = ImageDraw.Draw(image)
+    width, height = view.size_px
+    image = numpy.zeros((height, width), numpy.uint8)
     for triangle in points(call(name, "triangles", view)[0], "triangle", 3):
-        pen.polygon([tuple(p - 0.5) for p in triangle], fill=255)  # its pixel centres are whole
-    return numpy.asarray(image)
+        fill(triangle, image)
+    return image
 
 
 def draw(name, method, view, is_mask):
