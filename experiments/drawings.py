@@ -27,7 +27,7 @@ from entrant import Failed, read_view  # noqa: E402
 
 VIEWS = ("front", "top", "iso")
 ALGORITHMS = ("exact", "polygonal")
-MODELS = ("gear", "bracket", "inkbench-out/models/spider.stl", "inkbench-out/models/human.glb",
+MODELS = ("bracket", "gear", "inkbench-out/models/human.glb", "inkbench-out/models/jeep.ms3d",
           "inkbench-out/models/house.glb")
 NEAR_PX = 0.25
 STEP_PX = 0.05  # between samples of a line that others are compared with
@@ -130,11 +130,7 @@ def compare(ours, theirs):
     q, q_px = samples(theirs.visible)
     q, q_px = q[in_frame(q)], q_px[in_frame(q)]
     ours_found, theirs_found = near(p, theirs.visible), near(q, joined(ours.visible))
-    other = samples(joined(ours.visible))[1].sum() - p_px.sum()
     return {
-        "ours_px": p_px.sum(),
-        "other_px": other,
-        "theirs_px": q_px.sum(),
         "ours_found": 100 * p_px[ours_found].sum() / max(p_px.sum(), 1e-9),
         "theirs_found": 100 * q_px[theirs_found].sum() / max(q_px.sum(), 1e-9),
         "wrongly_shown_px": q_px[~theirs_found & near(q, joined(ours.hidden))].sum(),
