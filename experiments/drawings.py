@@ -5,7 +5,7 @@
 
 One line of Markdown per model, view and algorithm of Open CASCADE: seconds of either, which share of
 the length of either drawing has a line of the other within 0.25 px, and px of lines that the other
-drawing has as hidden. Drawings stay in FOLDER and are not made again.
+drawing has as hidden. Drawings stay in FOLDER and are not made again. Needs python3-scipy.
 """
 
 import argparse
