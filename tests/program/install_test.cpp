@@ -64,6 +64,7 @@ TEST_F(Install, TheProgramReadsModelsWhereItIs) {
     EXPECT_THAT(files,
                 ElementsAre("bin/inkbench",
                             "bin/inkbench_import",
+                            INK_LIBDIR "/inkbench/inkbench_images.so",
                             kScript,
                             "share/doc/inkbench/copyright",
                             "share/inkbench/notebooks/figures.py",

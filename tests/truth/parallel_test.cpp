@@ -144,7 +144,7 @@ TEST(Parallel, ACylinderHasTwoLinesAndTwoEllipses) {
 // A torus is what balls along a circle sweep: the outline of their shadow is as far from the
 // circle's ellipse as they are wide.
 TEST(Parallel, ATorusRunsBesideItsEllipse) {
-    constexpr int kAround = 192, kAcross = 96;
+    constexpr int kAround = 96, kAcross = 48;
     constexpr double kRing = 2, kTube = 0.5;
     const double tilt = 0.9;
     scene::Mesh mesh;
@@ -159,7 +159,7 @@ TEST(Parallel, ATorusRunsBesideItsEllipse) {
             add_quad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
     }
     const Truth truth = trace(scene_of({mesh}), parallel_view({0, std::sin(tilt), std::cos(tilt)}));
-    ASSERT_GT(truth.curves.size(), 300U);
+    ASSERT_GT(truth.curves.size(), 150U);
     for (const Curve& curve : truth.curves) {
         EXPECT_EQ(curve.line_class, LineClass::contour);
         const glm::dvec2 p = seen_at(curve.begin);
@@ -170,7 +170,7 @@ TEST(Parallel, ATorusRunsBesideItsEllipse) {
                 kRing * glm::dvec2(std::sin(turn), std::sin(tilt) * std::cos(turn));
             nearest = std::min(nearest, glm::length(p - middle));
         }
-        EXPECT_NEAR(nearest, kTube, 0.01);
+        EXPECT_NEAR(nearest, kTube, 0.02);
     }
 }
 

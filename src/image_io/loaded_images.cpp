@@ -1,0 +1,72 @@
+// The functions of this room for programs, from the module `inkbench_images`.
+
+#include <dlfcn.h>
+
+#include "core/error.h"
+#include "image_io/image_functions.h"
+
+namespace ink::image_io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The module lies beside the program in the build, and in a folder of libraries once installed.
+const ImageFunctions& load() {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    fs::path module = program / INK_IMAGE_MODULE;
+    if (!fs::exists(module, ignored)) module = program / INK_IMAGE_MODULE_INSTALLED;
+    void* const handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    void* const found = handle == nullptr ? nullptr : dlsym(handle, kImageFunctions);
+    if (found == nullptr) {
+        throw core::Error(module.lexically_normal().string(),
+                          "images need this module, and it cannot be loaded",
+                          "the file that is built and installed with this program");
+    }
+    return *reinterpret_cast<const ImageFunctions* (*)()>(found)();
+}
+
+const ImageFunctions& loaded() {
+    static const ImageFunctions& functions = load();
+    return functions;
+}
+
+}  // namespace
+
+GrayFile read_gray_file(const fs::path& path) {
+    return loaded().read_gray_file(path);
+}
+
+core::Image<std::uint8_t> read_gray(const fs::path& path) {
+    return loaded().read_gray(path);
+}
+
+Picture read_picture(const fs::path& path) {
+    return loaded().read_picture(path);
+}
+
+ExrFile read_exr(const fs::path& path) {
+    return loaded().read_exr(path);
+}
+
+void write_exr(const ExrFile& file, const fs::path& path) {
+    loaded().write_exr(file, path);
+}
+
+void write_png(const core::Image<std::uint8_t>& image, const fs::path& path, const Texts& texts) {
+    loaded().write_gray(image, path, texts);
+}
+
+void write_png(const core::Image<Rgb>& image, const fs::path& path) {
+    loaded().write_rgb(image, path);
+}
+
+std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {
+    return loaded().encode_gray(image);
+}
+
+std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image) {
+    return loaded().encode_rgb(image);
+}
+
+}  // namespace ink::image_io
