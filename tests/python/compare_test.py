@@ -98,6 +98,16 @@ class Compare(unittest.TestCase):
         turned = inkbench.draw("mote4", "gear", CAMERA, time_s=0.25)
         self.assertTrue((edges != turned).any())
 
+    def test_parallel_cameras_are_those_of_the_program(self):
+        camera = inkbench.Camera((3, 2, 5), parallel_height=2.5, size=(320, 180))
+        run("draw", "gear", "--eye", "3,2,5", "--parallel", "2.5", "--size", "320x180", "--method", "ids", "--response",
+            "-o", self.folder / "d.png")
+        np.testing.assert_array_equal(inkbench.draw("ids", "gear", camera), read_gray(self.folder / "d.png"))
+        found = inkbench.compare("cube", {}, projection=("perspective", "parallel"), views=1, methods="ids",
+                                 times=False, **SIZE)
+        self.assertEqual({(row["view"], row["projection"]) for row in found},
+                         {("view0", "perspective"), ("view0.parallel", "parallel")})
+
     def test_buffers_are_those_that_export_writes(self):
         from PIL import Image
 
@@ -174,6 +184,9 @@ class Compare(unittest.TestCase):
                  ("truth", "cube", "--views", "file", "--margin", "0.1")),
                 (lambda: inkbench.Camera((1, 2)), ("truth", "cube", "--eye", "1,2")),
                 (lambda: inkbench.Camera((1, 2, 3), up=(0, 0, 0)), ("truth", "cube", "--eye", "1,2,3", "--up", "0,0,0")),
+                (lambda: inkbench.Camera((1, 2, 3), parallel_height=0),
+                 ("truth", "cube", "--eye", "1,2,3", "--parallel", "0")),
+                (lambda: inkbench.truth("cube", projection="flat"), ("truth", "cube", "--projection", "flat")),
                 (lambda: inkbench.truth("cube", inkbench.Camera((1, 2, 3), fov_deg=200)),
                  ("truth", "cube", "--eye", "1,2,3", "--fov", "200"))):
             with self.assertRaises(ValueError) as caught:
