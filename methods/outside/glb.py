@@ -32,6 +32,8 @@ def world_triangles(path):
     gltf, data = read_chunks(path)
     parts = [numpy.empty((0, 3))]
     for node in gltf["nodes"]:
+        if "mesh" not in node:  # a camera
+            continue
         matrix = numpy.array(node["matrix"]).reshape(4, 4).T
         for primitive in gltf["meshes"][node["mesh"]]["primitives"]:
             p = read_accessor(gltf, data, primitive["attributes"]["POSITION"]).astype(float)
