@@ -51,6 +51,7 @@ async function loadScene(material) {
     for (const node of [...file.scene.children]) {
         let key = '';
         node.traverse(child => { if (child.isMesh) key += child.geometry.uuid; });
+        if (key === '') continue; // a camera
         if (!known.has(key)) known.set(key, creased(geometryOf(node)));
         const {geometry, surfaces} = known.get(key);
         const mesh = new THREE.Mesh(geometry, material);
