@@ -241,14 +241,8 @@ TEST_P(Contract, TurnedWithTheSceneTheCameraSeesTheSame) {
     const edge::EdgeImage still = draw({});
     for (const double angle_rad : {0.8, 2.3, 4.4}) {
         const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle_rad, glm::dvec3(0.3, 1, -0.4));
-        scene::Scene turned = scene_;
-        for (scene::Instance& instance : turned.instances)
-            instance.world_from_object = turn * instance.world_from_object;
-        scene::View view = view_;
-        view.camera.eye_world = turn * glm::dvec4(view_.camera.eye_world, 1);
-        view.camera.view_from_world =
-            view_.camera.view_from_world * glm::transpose(glm::dmat3(turn));
-        const auto image = drawn(method_name(), {}, turned, {view, 1});
+        const scene::Turned turned(scene_, view_, turn);
+        const auto image = drawn(method_name(), {}, turned.scene, {turned.view, 1});
         EXPECT_LE(differing(still, image, threshold), allowed(lines_in(still))) << angle_rad;
     }
 }

@@ -33,6 +33,20 @@ inline Scene scene_of(Mesh mesh) {
     return scene;
 }
 
+/// A scene and a view of it, turned together about the origin.
+struct Turned {
+    Scene scene;
+    View view;
+
+    Turned(Scene of, const View& seen, const glm::dmat4& turn) : scene(std::move(of)), view(seen) {
+        for (Instance& instance : scene.instances)
+            instance.world_from_object = turn * instance.world_from_object;
+        view.camera.eye_world = turn * glm::dvec4(seen.camera.eye_world, 1);
+        view.camera.view_from_world =
+            seen.camera.view_from_world * glm::transpose(glm::dmat3(turn));
+    }
+};
+
 /// One object per mesh, each where it is.
 inline Scene scene_of(std::vector<Mesh> meshes) {
     Scene scene;

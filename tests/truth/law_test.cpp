@@ -5,24 +5,6 @@
 namespace ink::truth {
 namespace {
 
-/// Objects that hide, touch, pierce and abut each other: whatever holds here holds widely.
-scene::Scene crowd() {
-    const scene::Mesh floor = quad({-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4});
-    scene::Mesh pyramid;
-    const glm::vec3 top{0.2F, 1.7F, 0.1F};
-    const std::array<glm::vec3, 4> foot = {glm::vec3(-0.9F, 0.1F, 0.8F),
-                                           glm::vec3(1.1F, 0.05F, 0.9F),
-                                           glm::vec3(1, 0.15F, -1.1F),
-                                           glm::vec3(-1, 0.1F, -0.9F)};
-    for (std::size_t i = 0; i < 4; ++i)
-        add_triangle(pyramid, foot[i], foot[(i + 1) % 4], top);
-    return scene_of({floor,
-                     box({-2, 0, -1}, {-1, 1, 1}),
-                     box({-1, 0, -1}, {0, 1, 1}),
-                     pyramid,
-                     box({0.5F, -0.5F, 1}, {1.5F, 0.5F, 2.2F})});
-}
-
 scene::View crowd_view() {
     return view_from({3, 4, 9}, {0, 0.5, 0});
 }

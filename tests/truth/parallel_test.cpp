@@ -174,23 +174,6 @@ TEST(Parallel, ATorusRunsBesideItsEllipse) {
     }
 }
 
-/// Objects that hide, pierce and abut each other.
-scene::Scene crowd() {
-    scene::Mesh pyramid;
-    const glm::vec3 top{0.2F, 1.7F, 0.1F};
-    const std::array<glm::vec3, 4> foot = {glm::vec3(-0.9F, 0.1F, 0.8F),
-                                           glm::vec3(1.1F, 0.05F, 0.9F),
-                                           glm::vec3(1, 0.15F, -1.1F),
-                                           glm::vec3(-1, 0.1F, -0.9F)};
-    for (std::size_t i = 0; i < 4; ++i)
-        add_triangle(pyramid, foot[i], foot[(i + 1) % 4], top);
-    return scene_of({quad({-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}),
-                     box({-2, 0, -1}, {-1, 1, 1}),
-                     box({-1, 0, -1}, {0, 1, 1}),
-                     pyramid,
-                     box({0.5F, -0.5F, 1}, {1.5F, 0.5F, 2.2F})});
-}
-
 std::size_t differing_px(const Truth& a, const Truth& b) {
     std::size_t differing = 0;
     for (std::size_t i = 0; i < a.labels.size(); ++i)
@@ -222,14 +205,9 @@ TEST(Parallel, TurnedWithTheSceneItSeesTheSame) {
     const Truth still = trace(scene, view);
     for (const double angle : {0.7, 2.1, 4.0}) {
         const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, glm::dvec3(1, 2, -0.5));
-        scene::Scene turned = scene;
-        for (scene::Instance& instance : turned.instances)
-            instance.world_from_object = turn * instance.world_from_object;
-        scene::View with = view;
-        with.camera.eye_world = turn * glm::dvec4(view.camera.eye_world, 1);
-        with.camera.view_from_world =
-            view.camera.view_from_world * glm::transpose(glm::dmat3(turn));
-        EXPECT_LT(differing_px(still, trace(turned, with)), still.labels.size() / 1000);
+        const scene::Turned turned(scene, view, turn);
+        EXPECT_LT(differing_px(still, trace(turned.scene, turned.view)),
+                  still.labels.size() / 1000);
     }
 }
 
