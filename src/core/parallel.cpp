@@ -134,12 +134,6 @@ void run_lanes(int count, const std::function<void()>& body) {
         if (failure) std::rethrow_exception(failure);
 }
 
-void run_alone(const std::function<void()>& work) {
-    static std::mutex one_at_a_time;
-    const std::lock_guard lock(one_at_a_time);
-    work();
-}
-
 int share_of_threads() {
     return std::max(1, hardware_threads() / std::max(1, busy_lanes.load()));
 }

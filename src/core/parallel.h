@@ -49,11 +49,6 @@ std::vector<Part> parallel_parts(std::size_t count,
 /// here once all have ended. `count` < 1, or lanes beside other lanes, are a caller's bug.
 void run_lanes(int count, const std::function<void()>& body);
 
-/// Calls `work` while no other lane does such work: what is timed takes turns, while the other
-/// lanes work on, on cores of their own. What `work` throws is thrown here. Such work within such
-/// work is a caller's bug.
-void run_alone(const std::function<void()>& work);
-
 /// How many threads a lane may use; hardware_threads() where there are no lanes.
 [[nodiscard]] int share_of_threads();
 

@@ -27,8 +27,8 @@ struct Shard {
 ///
 /// Blocks of groups run beside each other on lanes (core::run_lanes): some trace, draw and score
 /// while others do. A lane takes a group of its own while there is one, and then blocks of groups
-/// that others have begun. One lane is timed at a time (core::run_alone); where the others were
-/// found to disturb it, there is one lane. Blocks without a group come last and run alone. Borrows
+/// that others have begun. Each is timed while the others work; where a timed loop was found to be
+/// slower beside them, there is one lane. Blocks without a group come last and run alone. Borrows
 /// plan and store.
 class BlockWork {
   public:

@@ -36,8 +36,7 @@ class StageTimes {
     std::array<double, kStageCount> seconds_{};
 };
 
-/// Adds to a stage the seconds that it lives. What is timed waits for its turn meanwhile
-/// (core::run_alone): that is part of its stage. They are taken from the stage `within` which it
+/// Adds to a stage the seconds that it lives. They are taken from the stage `within` which it
 /// lives, if there is one.
 class StageTimer {
   public:

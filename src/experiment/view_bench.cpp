@@ -14,7 +14,7 @@ namespace {
 /// than the least, methods that come again for the next view or setting find nothing of theirs
 /// left.
 constexpr std::size_t kTrianglesKept = 6'000'000;
-constexpr std::size_t kLeastKept = 24;
+constexpr std::size_t kLeastKept = 48;
 
 /// Medians of draw times are wanted to this share of themselves: what two runs differ by anyway.
 constexpr double kPrecision = 0.02;
@@ -61,7 +61,6 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, repetitions);
     options.measure.budget_s = experiment_.budget_ms * 1e-3;
     options.measure.precision = kPrecision;
-    options.measure.is_alone = experiment_.times;
     options.measure.skips = skips_;
     return options;
 }
@@ -100,10 +99,7 @@ std::shared_ptr<harness::PreparedMethods> ViewBench::methods(std::size_t scene, 
     if (desk.methods && first == desk.first_method) return desk.methods;
     desk.methods = {};
     const std::size_t count = std::min(configs_.size() - first, most_at_once(scene));
-    const auto prepare = [&] {
-        desk.methods = prepared(std::span(configs_).subspan(first, count), scene);
-    };
-    experiment_.times ? core::run_alone(prepare) : prepare();
+    desk.methods = prepared(std::span(configs_).subspan(first, count), scene);
     desk.first_method = first;
     return desk.methods;
 }

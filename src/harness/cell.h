@@ -30,8 +30,6 @@ struct MeasureOptions {
     /// It stops before, after its least repetitions, when its median is known to this share of
     /// itself (is_median_known); 0: never.
     double precision = 0;
-    /// No other lane is timed meanwhile (core::run_alone).
-    bool is_alone = true;
     raster::SkipSet skips = skips_of_repeated_drawings();
 };
 

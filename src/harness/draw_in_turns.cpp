@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
-#include "core/parallel.h"
 #include "harness/cell.h"
 #include "harness/median_interval.h"
 #include "harness/outside_method.h"
@@ -57,7 +55,7 @@ class Round {
                 if (!shot_.poses.empty()) times_[i].skips = drawing.skips;
                 continue;
             }
-            measure([&] { (void)draw(i, images_[i]); });
+            (void)draw(i, images_[i]);
             if (!is_done_[i] && outside->draw_ns()) times_[i].draw_ns = {*outside->draw_ns()};
             is_done_[i] = true;
         }
@@ -69,7 +67,12 @@ class Round {
 
     /// Round after round, until all are done.
     void repeat() {
-        measure([&] { repeat_rounds(); });
+        for (int round = 1; round <= options_.max_repetitions && !is_done(); ++round) {
+            for (std::size_t turn = 0; turn < turns_.size(); ++turn) {
+                const std::size_t i = (static_cast<std::size_t>(round) + turn) % turns_.size();
+                if (!is_done_[i]) repeat(i, round);
+            }
+        }
     }
 
     [[nodiscard]] std::vector<DrawTimes> take_times() { return std::move(times_); }
@@ -77,19 +80,6 @@ class Round {
   private:
     [[nodiscard]] int frame_count() const {
         return std::max(1, static_cast<int>(shot_.poses.size()));
-    }
-
-    void measure(const std::function<void()>& work) const {
-        options_.is_alone ? core::run_alone(work) : work();
-    }
-
-    void repeat_rounds() {
-        for (int round = 1; round <= options_.max_repetitions && !is_done(); ++round) {
-            for (std::size_t turn = 0; turn < turns_.size(); ++turn) {
-                const std::size_t i = (static_cast<std::size_t>(round) + turn) % turns_.size();
-                if (!is_done_[i]) repeat(i, round);
-            }
-        }
     }
 
     void repeat(std::size_t i, int round) {

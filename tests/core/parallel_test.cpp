@@ -69,41 +69,6 @@ TEST(Lanes, PassOnWhatOneThrows) {
     EXPECT_EQ(share_of_threads(), hardware_threads());
 }
 
-TEST(RunAlone, LetsOneWorkAtATime) {
-    std::atomic<int> alone = 0, most = 0, thrown = 0;
-    run_lanes(8, [&] {
-        for (int i = 0; i < 10; ++i) {
-            try {
-                run_alone([&] {
-                    most = std::max(most.load(), ++alone);
-                    std::this_thread::yield();
-                    --alone;
-                    throw std::runtime_error("broken");
-                });
-            } catch (const std::runtime_error&) {
-                ++thrown;
-            }
-        }
-    });
-    EXPECT_EQ(thrown, 80);
-    EXPECT_EQ(most, 1);
-}
-
-TEST(RunAlone, OthersWorkOnMeanwhile) {
-    std::atomic<int> lane = 0, steps = 0;
-    run_lanes(3, [&] {
-        if (++lane > 1) {
-            parallel_for(10, hardware_threads(), [&](std::size_t) { ++steps; });
-            return;
-        }
-        run_alone([&] {
-            while (steps < 20)
-                std::this_thread::yield();  // for ever, if they stood still
-        });
-    });
-    EXPECT_EQ(steps, 20);
-}
-
 TEST(ParallelFor, CallsEachOnce) {
     std::vector<int> calls(1000);
     parallel_for(calls.size(), 2, [&](std::size_t i) { ++calls[i]; });

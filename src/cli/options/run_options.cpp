@@ -131,8 +131,8 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
         .add_option(
             "--lanes",
             options.lanes,
-            "Scenes worked on at a time, at most; one is timed at a time, and where the others "
-            "would disturb it there is one (default: one per core)")
+            "Scenes worked on at a time, at most; one where a timed loop does not bear neighbours "
+            "(default: one per core)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
