@@ -1,5 +1,6 @@
 """How a file of a package becomes a model that Inkbench reads."""
 
+import base64
 import gzip
 import json
 import re
@@ -85,7 +86,18 @@ def _assimp(data, context):
         return model.read_bytes()
 
 
+def _gltf_with_buffer(data, context):
+    """A .gltf whose one buffer is a file beside it, with that in it."""
+    gltf = json.loads(data)
+    (buffer,) = gltf["buffers"]
+    folder = context.path.rsplit("/", 1)[0]
+    body = base64.b64encode(context.package.read(f"{folder}/{buffer['uri']}")).decode()
+    buffer["uri"] = f"data:application/octet-stream;base64,{body}"
+    return json.dumps(gltf, indent=1).encode()
+
+
 # By the name that models.toml uses. Each takes the file's bytes and its context: the package, the
 # path in it, the packages it needs beside, and the folder of downloads.
 CONVERTERS = {"copy": _copy, "gunzip": _gunzip, "json_mesh": _json_mesh, "md3_player": _md3_player,
-              "q3_map": _q3_map, "ez_tree": _ez_tree, "assimp": _assimp}
+              "q3_map": _q3_map, "ez_tree": _ez_tree, "assimp": _assimp,
+              "gltf_with_buffer": _gltf_with_buffer}
