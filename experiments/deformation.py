@@ -195,7 +195,9 @@ class Pose:
         return self.of_pose["surface8"] - self.of_rest["surface8"]
 
     def line(self):
-        f = [f"{self.of_rest[name]:.3f}" for name in METHODS] + [f"{self.of_pose[name]:.3f}" for name in CODES]
+        f = []
+        for name in METHODS:
+            f += [f"{counts[name]:.3f}" for counts in (self.of_rest, self.of_pose) if name in counts]
         deg, stretch, new = self.bend
         return (f"| {self.key} | {self.time_s:.2f} s | {deg:.0f} | {stretch:.2f} | {100 * new:.1f} % | "
                 + " | ".join(f) + " |")
@@ -203,7 +205,7 @@ class Pose:
 
 def poses_of(study, model, which, seconds, count):
     """The poses of an animation, the first at rest."""
-    key = f"{model.stem}{''.join(which[1:])}"
+    key = f"{model.stem} {''.join(which[1:])}".strip()
     rest = None
     for number in range(count + 1):
         time_s = 0.999 * seconds * number / count  # the end is told rounded
@@ -228,9 +230,10 @@ def main():
     study = Study(args.program.resolve(), args.out)
     elbow = args.out / "elbow.gltf"
     elbow.write_text(elbow_gltf())
-    named = [f"{name} of the pose" for name in CODES]
-    print("| model | pose | bend, deg | stretch | new creases | " + " | ".join([*METHODS, *named]) + " |")
-    print("|---|--:|--:|--:|--:|" + "--:|" * (len(METHODS) + len(named)))
+    columns = ["model", "pose", "bend, deg", "stretch", "new creases"]
+    for name in METHODS:
+        columns += [f"`{name}`"] + ["its pose's"] * (name in CODES)
+    print(f"| {' | '.join(columns)} |\n|---|{'--:|' * (len(columns) - 1)}")
     for model in args.models or [*map(Path, MODELS), elbow]:
         for which, seconds in study.animations(model):
             poses = list(poses_of(study, model, which, seconds, args.poses))

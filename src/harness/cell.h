@@ -26,7 +26,7 @@ struct MeasureOptions {
     int threads = 1;  ///< of the method
     int min_repetitions = 3;
     int max_repetitions = 15;
-    double budget_s = 0.03;  ///< a method on a view stops repeating after this much drawing
+    double budget_s = 0.02;  ///< a method on a view stops repeating after this much drawing
     /// It stops before, after its least repetitions, when its median is known to this share of
     /// itself (is_median_known); 0: never.
     double precision = 0;

@@ -22,7 +22,7 @@ constexpr const char* kDemoScenes =
     "octopus,cube,blocks,tiles,hills,gear,figure,teapot,letters,hand,chess,staircase";
 constexpr const char* kDemoMethods =
     "decaudin,roberts_tuned,sobel,mote4,mote4_tuned,two_sums,auto,polygon_offset,edge_hash,"
-    "inverted_hull,ids,jump_flood,surface8,id_lookup";
+    "inverted_hull,ids,jump_flood,surface8,surface8_depth,surface_lookup";
 constexpr const char* kDemoOut = "inkbench-out/demo";
 
 struct CompareArgs : MeasureArgs {
