@@ -6,13 +6,6 @@
 namespace ink::methods {
 namespace {
 
-CodeSetup setup() {
-    CodeSetup setup;
-    setup.range = {.lowest = 1, .highest = 255, .least_difference = 1};  // sky is 0
-    setup.gain_bits = 8;                                                 // any difference is a line
-    return setup;
-}
-
 class Label8 : public CodeMethod {
   public:
     using Params = CodeParams;
@@ -20,7 +13,7 @@ class Label8 : public CodeMethod {
         core::ParamTable<Params> table;
         return method::add_threshold_of_two(add_code_params(table));
     }
-    explicit Label8(const Params& params) : CodeMethod(params, setup()) {}
+    explicit Label8(const Params& params) : CodeMethod(params, label_setup()) {}
 };
 
 }  // namespace

@@ -27,8 +27,7 @@ CodePass::CodePass(const CodeParams& params, const CodeSetup& setup)
 std::vector<std::uint32_t> CodePass::constants_of(const scene::PreparedScene& scene) {
     surface_codes_.prepare(scene);
     lengths_world_.clear();
-    return surface_codes_.object_codes(
-        scene, setup_.footprint == Footprint::object ? setup_.length_px : 0);
+    return surface_codes_.object_codes(scene, object_length_px(setup_));
 }
 
 /// Codes whose steps cover the footprint of every triangle where it is now seen.

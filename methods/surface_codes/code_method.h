@@ -42,6 +42,19 @@ struct CodeSetup : CodeOptions {
     int halo_px = 1;       ///< that whoever adds lines reads
 };
 
+/// How the labels of label8 are made and looked at.
+[[nodiscard]] inline CodeSetup label_setup() {
+    CodeSetup setup;
+    setup.range = {.lowest = 1, .highest = 255, .least_difference = 1};  // sky is 0
+    setup.gain_bits = 8;                                                 // any difference is a line
+    return setup;
+}
+
+/// What SurfaceCodes::object_codes is to take for a setup: no length if steps follow no object.
+[[nodiscard]] inline double object_length_px(const CodeSetup& setup) {
+    return setup.footprint == Footprint::object ? setup.length_px : 0;
+}
+
 /// How the codes of a method are made.
 [[nodiscard]] CodeOptions code_options(const CodeParams& params, const CodeSetup& setup);
 

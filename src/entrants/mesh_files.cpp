@@ -13,8 +13,8 @@
 #include <span>
 #include <string>
 
-#include "core/error.h"
 #include "core/whole_file.h"
+#include "import/gltf/glb.h"
 
 namespace ink::entrants {
 namespace {
@@ -129,19 +129,6 @@ std::map<std::uint32_t, int> material_places(const scene::Scene& scene) {
     return places;
 }
 
-void append_word(std::string& bytes, std::size_t value) {
-    for (int i = 0; i < 4; ++i)
-        bytes += static_cast<char>(value >> (8 * i) & 0xff);
-}
-
-void append_chunk(std::string& glb, std::string chunk, const char* type, char padding) {
-    while (chunk.size() % 4 != 0)
-        chunk += padding;
-    append_word(glb, chunk.size());
-    glb.append(type, 4);
-    glb += chunk;
-}
-
 glm::dmat4 world_from_view(const scene::Camera& camera) {
     glm::dmat4 matrix(glm::transpose(camera.view_from_world));
     matrix[3] = glm::dvec4(camera.eye_world, 1);
@@ -239,16 +226,8 @@ void write_glb(const scene::Scene& scene,
     gltf["materials"] = materials;
     buffer.describe(gltf);
 
-    std::string chunks;
-    append_chunk(chunks, gltf.dump(-1, ' ', false, Json::error_handler_t::replace), "JSON", ' ');
-    append_chunk(chunks, buffer.bytes(), "BIN\0", '\0');
-    constexpr std::size_t kHead_bytes = 12;
-    if (chunks.size() + kHead_bytes > std::numeric_limits<std::uint32_t>::max())
-        throw core::Error(path.string(), "the scene is too large for binary glTF", "4 GiB");
-    std::string glb = "glTF";
-    append_word(glb, 2);
-    append_word(glb, chunks.size() + kHead_bytes);
-    core::write_whole_file(path, glb + chunks);
+    const std::string json = gltf.dump(-1, ' ', false, Json::error_handler_t::replace);
+    core::write_whole_file(path, import::glb_bytes(json, buffer.bytes(), path));
 }
 
 }  // namespace ink::entrants

@@ -156,9 +156,9 @@ void check_reply(const ImportReply& reply, const ImportLimits& limits, const Com
 
 }  // namespace
 
-scene::Scene import_scene(const std::filesystem::path& path,
-                          const ModelChoice& choice,
-                          const ImportLimits& limits) {
+ImportedModel import_model(const std::filesystem::path& path,
+                           const ModelChoice& choice,
+                           const ImportLimits& limits) {
     const Complaint complain(path);
     check_file(path, complain);
     const std::filesystem::path child = find_child(limits);
@@ -172,7 +172,20 @@ scene::Scene import_scene(const std::filesystem::path& path,
     ImportReply reply = reply_of(outcome, complain, limits);
     outcome.output = {};
     check_reply(reply, limits, complain);
-    return scene_from_reply(std::move(reply), path, limits.triangles, choice.material_seams);
+    FilePlaces places;
+    for (const ImportedInstance& instance : reply.instances)
+        places.node_of_instance.push_back(instance.file_node);
+    for (const ImportedMesh& mesh : reply.meshes)
+        places.parts_of_mesh.push_back(mesh.parts);
+    scene::Scene scene =
+        scene_from_reply(std::move(reply), path, limits.triangles, choice.material_seams);
+    return {std::move(scene), std::move(places)};
+}
+
+scene::Scene import_scene(const std::filesystem::path& path,
+                          const ModelChoice& choice,
+                          const ImportLimits& limits) {
+    return import_model(path, choice, limits).scene;
 }
 
 }  // namespace ink::import

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "import/scene_stream.h"
 #include "scene/scene.h"
@@ -29,6 +30,25 @@ struct ModelChoice {
     bool material_seams = false;
     [[nodiscard]] bool operator==(const ModelChoice&) const = default;
 };
+
+/// Where the triangles of a scene stand in its file.
+struct FilePlaces {
+    /// Per instance the number of its node; scene::kNoNode: files of this format have none.
+    std::vector<std::uint32_t> node_of_instance;
+    /// Per mesh of the scene, see MeshPart; not where objects were split by material.
+    std::vector<std::vector<MeshPart>> parts_of_mesh;
+};
+
+/// What `import_model` gives.
+struct ImportedModel {
+    scene::Scene scene;
+    FilePlaces places;
+};
+
+/// As `import_scene`, and where in the file its triangles stand.
+[[nodiscard]] ImportedModel import_model(const std::filesystem::path& path,
+                                         const ModelChoice& choice = {},
+                                         const ImportLimits& limits = {});
 
 /// The scene in a model file of one of the formats that README.md lists, checked (`check_scene`,
 /// `check_animation`), named by the file's stem, with the file's own cameras (near and far fitted)

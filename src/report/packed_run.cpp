@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base64.h"
 #include "core/image.h"
 #include "core/parallel.h"
 #include "core/parse_number.h"
@@ -63,24 +64,9 @@ std::string text_column(const std::vector<std::string>& fields) {
 
 using Codes = core::Image<std::uint8_t>;
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = bytes.size() - i < 3 ? bytes.size() - i : 3;
-        std::uint32_t group = 0;
-        for (std::size_t j = 0; j < 3; ++j)
-            group = group << 8U | (j < count ? bytes[i + j] : 0U);
-        for (std::size_t digit = 0; digit < 4; ++digit)
-            text += digit <= count ? kDigits[group >> (18U - 6U * digit) & 63U] : '=';
-    }
-    return text;
-}
-
 std::string png_of(const Codes& codes) {
-    return base64(image_io::encode_png(codes));
+    const auto png = image_io::encode_png(codes);
+    return core::base64(std::as_bytes(std::span(png)));
 }
 
 /// By how much images may be shrunk, the first choice first.

@@ -28,6 +28,7 @@ namespace ink::cli {
     X(diff) \
     X(merge) \
     X(bound) \
+    X(bake) \
     X(export) \
     X(entrant_test) \
     X(new_method) \

@@ -85,6 +85,32 @@ void take(GltfComponents type,
     }
 }
 
+template <class T>
+void put(const std::vector<double>& values, std::byte* to) {
+    for (const double value : values) {
+        const T number = static_cast<T>(value);
+        std::memcpy(to, &number, sizeof number);
+        to += sizeof number;
+    }
+}
+
+void put(GltfComponents type, const std::vector<double>& values, std::byte* to) {
+    switch (type) {
+        case kByte:
+            return put<std::int8_t>(values, to);
+        case kUnsignedByte:
+            return put<std::uint8_t>(values, to);
+        case kShort:
+            return put<std::int16_t>(values, to);
+        case kUnsignedShort:
+            return put<std::uint16_t>(values, to);
+        case kUnsignedInt:
+            return put<std::uint32_t>(values, to);
+        case kFloat:
+            return put<float>(values, to);
+    }
+}
+
 }  // namespace
 
 struct GltfAccessors::Layout {
@@ -216,6 +242,26 @@ std::vector<double> GltfAccessors::numbers(std::size_t accessor, const AccessorR
     }
     normalise(accessor, values);
     return values;
+}
+
+std::vector<double> GltfAccessors::components(std::size_t accessor) {
+    return read<double>(accessor);
+}
+
+std::vector<std::byte> GltfAccessors::packed(std::size_t accessor,
+                                             const std::vector<double>& components) const {
+    const Component component = component_of(json(accessor));
+    std::vector<std::byte> bytes(components.size() * component.bytes);
+    put(component.bit, components, bytes.data());
+    return bytes;
+}
+
+std::size_t GltfAccessors::width(std::size_t accessor) const {
+    return layout_of(accessor).width;
+}
+
+std::size_t GltfAccessors::element_bytes(std::size_t accessor) const {
+    return layout_of(accessor).element_bytes();
 }
 
 std::vector<std::uint32_t> GltfAccessors::indices(std::size_t accessor) {

@@ -52,6 +52,14 @@ class GltfAccessors {
     void check(std::size_t accessor, const AccessorRule& rule) const;
     /// All components of all elements, one behind the other.
     [[nodiscard]] std::vector<double> numbers(std::size_t accessor, const AccessorRule& rule);
+    /// The same as they stand: of any type, integers not normalised, floats not looked at.
+    [[nodiscard]] std::vector<double> components(std::size_t accessor);
+    /// Components of elements in an accessor's own component type, little-endian, without gaps.
+    [[nodiscard]] std::vector<std::byte> packed(std::size_t accessor,
+                                                const std::vector<double>& components) const;
+    /// How many components an element has, and how many bytes.
+    [[nodiscard]] std::size_t width(std::size_t accessor) const;
+    [[nodiscard]] std::size_t element_bytes(std::size_t accessor) const;
     /// Elements of one unsigned integer.
     [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor);
 

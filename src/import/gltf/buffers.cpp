@@ -212,6 +212,11 @@ std::span<const std::byte> GltfBuffers::buffer(std::size_t index) {
     return std::span<const std::byte>(*kept).first(size);
 }
 
+std::optional<std::vector<std::byte>> GltfBuffers::file(const std::string& uri,
+                                                        const JsonObject& owner) const {
+    return read_file(path_of_uri(uri, document_.folder, owner), kMostBytes);
+}
+
 std::span<const std::byte> GltfBuffers::part(const JsonObject& of) {
     const auto whole = buffer(of.index("buffer", document_.buffers.size()));
     const std::uint64_t offset = of.whole_or("byteOffset", whole.size(), 0);

@@ -17,13 +17,18 @@ class GltfBuffers {
 
     /// The bytes of a bufferView, decompressed where they are compressed.
     [[nodiscard]] std::span<const std::byte> view(std::size_t index);
+    /// All bytes of a buffer.
+    [[nodiscard]] std::span<const std::byte> buffer(std::size_t index);
+    /// The bytes of the file that a relative URI of `owner` names, below the document's folder;
+    /// nothing if it cannot be read. Fails for a URI that leaves it.
+    [[nodiscard]] std::optional<std::vector<std::byte>> file(const std::string& uri,
+                                                             const JsonObject& owner) const;
     /// The file's bytes and all that was read or unpacked so far: no list in the file can sensibly
     /// be longer.
     [[nodiscard]] std::uint64_t bytes_known() const { return bytes_known_; }
     void count_bytes(std::uint64_t more) { bytes_known_ += more; }
 
   private:
-    [[nodiscard]] std::span<const std::byte> buffer(std::size_t index);
     /// The part of a buffer that `of` names: a bufferView, or what compresses one.
     [[nodiscard]] std::span<const std::byte> part(const JsonObject& of);
 

@@ -93,8 +93,8 @@ std::optional<GltfDocument> parse_gltf(std::vector<std::byte> bytes,
     document.bytes = std::move(bytes);
     const bool is_glb = is_binary(document.bytes);
     if (!is_glb && !is_text(document.bytes)) return std::nullopt;
-    const auto json = std::make_shared<nlohmann::json>(
-        parse_json(is_glb ? json_chunk(document) : std::span<const std::byte>(document.bytes)));
+    document.text = is_glb ? json_chunk(document) : std::span<const std::byte>(document.bytes);
+    const auto json = std::make_shared<nlohmann::json>(parse_json(document.text));
     document.json = json;
     const JsonObject root = document.root();
     check_version(root.at("asset"), (*json)["asset"]);

@@ -12,8 +12,9 @@ namespace ink::import {
 
 /// A glTF 2.0 file: its JSON, and the binary chunk of a .glb.
 struct GltfDocument {
-    std::filesystem::path folder;  ///< of the file
-    std::vector<std::byte> bytes;  ///< the whole file
+    std::filesystem::path folder;     ///< of the file
+    std::vector<std::byte> bytes;     ///< the whole file
+    std::span<const std::byte> text;  ///< its JSON, in `bytes`
     std::shared_ptr<const nlohmann::json> json;
     std::span<const std::byte> binary;  ///< in `bytes`
     bool has_binary = false;

@@ -1,10 +1,8 @@
 #include "import/gltf/meshes.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
-#include "import/gltf/draco_mesh.h"
+#include "import/gltf/primitive.h"
 
 namespace ink::import {
 namespace {
@@ -13,27 +11,6 @@ constexpr AccessorRule kPosition{"POSITION", "VEC3", kFloat | kSmall};
 constexpr AccessorRule kNormal{"NORMAL", "VEC3", kFloat | kByte | kShort, true};
 constexpr AccessorRule kJoints{"JOINTS", "VEC4", kUnsignedByte | kUnsignedShort};
 constexpr AccessorRule kWeights{"WEIGHTS", "VEC4", kFloat | kUnsignedByte | kUnsignedShort, true};
-
-constexpr const char* kDraco = "KHR_draco_mesh_compression";
-
-enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
-
-/// The corners of triangles that vertices in order make (glTF 2.0, section 3.7.2.1).
-std::vector<scene::Triangle> triangles_of(const std::vector<std::uint32_t>& v,
-                                          std::uint64_t mode,
-                                          std::uint32_t first_vertex) {
-    std::vector<scene::Triangle> triangles;
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-        triangles.push_back({v[a] + first_vertex, v[b] + first_vertex, v[c] + first_vertex});
-    };
-    const std::size_t step = mode == kTriangles ? 3 : 1;
-    for (std::size_t i = 0, t = 0; i + 2 < v.size(); i += step, ++t) {
-        if (mode == kTriangles) add(i, i + 1, i + 2);
-        if (mode == kStrip) add(i, i + 1 + t % 2, i + 2 - t % 2);
-        if (mode == kFan) add(i + 1, i + 2, 0);
-    }
-    return triangles;
-}
 
 /// Appends vectors for vertices that come after `before` others, which have zeros if they have
 /// none.
@@ -45,101 +22,22 @@ void append(const std::vector<double>& numbers, std::size_t before, std::vector<
 
 }  // namespace
 
-/// The attributes of one primitive, from its accessors or from Draco's stream.
-class GltfMeshReader::Attributes {
-  public:
-    Attributes(GltfMeshReader& reader, const JsonObject& primitive)
-        : accessors_(reader.accessors_), json_(primitive.at("attributes")) {
-        packed_json_ = primitive.extension(kDraco);
-        if (packed_json_) {
-            const std::size_t view =
-                packed_json_->index("bufferView", reader.document_.buffer_views.size());
-            packed_.emplace(reader.buffers_.view(view), *packed_json_);
-            reader.buffers_.count_bytes(packed_->vertex_count());
-        }
-        vertices_ = packed_           ? packed_->vertex_count()
-                    : has("POSITION") ? accessors_.count(accessor("POSITION"))
-                                      : 0;
-    }
-
-    [[nodiscard]] const JsonObject& json() const { return json_; }
-    [[nodiscard]] bool has(const char* name) const { return json_.has(name); }
-    [[nodiscard]] std::size_t accessor(const char* name) const {
-        return json_.index(name, accessors_.size());
-    }
-    [[nodiscard]] std::size_t vertices() const { return vertices_; }
-    [[nodiscard]] const std::optional<DracoMesh>& packed() const { return packed_; }
-
-    [[nodiscard]] std::vector<double> numbers(const char* name,
-                                              const AccessorRule& rule,
-                                              std::size_t width) {
-        const std::size_t from = accessor(name);
-        if (packed_ && packed_json_->at("attributes").has(name)) return unpacked(name, rule, width);
-        if (packed_ && !accessors_.json(from).has("bufferView"))
-            packed_json_->fail(std::string("its stream has no ") + name);
-        std::vector<double> numbers = accessors_.numbers(from, rule);
-        if (numbers.size() != vertices_ * width) {
-            json_.fail(
-                std::string(name) + " has " + std::to_string(numbers.size() / width) + " elements",
-                std::to_string(vertices_) + ", as POSITION");
-        }
-        return numbers;
-    }
-
-  private:
-    [[nodiscard]] std::vector<double> unpacked(const char* name,
-                                               const AccessorRule& rule,
-                                               std::size_t width) {
-        const std::size_t from = accessor(name);
-        accessors_.check(from, rule);
-        const std::uint64_t id =
-            packed_json_->at("attributes").whole(name, std::numeric_limits<std::uint32_t>::max());
-        std::vector<double> numbers = packed_->numbers(static_cast<std::uint32_t>(id), width);
-        accessors_.normalise(from, numbers);
-        return numbers;
-    }
-
-    GltfAccessors& accessors_;
-    JsonObject json_;
-    std::optional<JsonObject> packed_json_;
-    std::optional<DracoMesh> packed_;
-    std::size_t vertices_ = 0;
-};
-
-std::vector<std::uint32_t> GltfMeshReader::corners(const JsonObject& primitive,
-                                                   const Attributes& attributes) {
-    if (attributes.packed()) return attributes.packed()->indices();
-    const std::size_t vertices = attributes.vertices();
-    const auto accessor = primitive.find_index("indices", accessors_.size());
-    if (!accessor) {
-        std::vector<std::uint32_t> all(vertices);
-        std::iota(all.begin(), all.end(), 0U);
-        return all;
-    }
-    std::vector<std::uint32_t> indices = accessors_.indices(*accessor);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (indices[i] < vertices) continue;
-        primitive.fail("index " + std::to_string(i) + " is " + std::to_string(indices[i]),
-                       "below " + std::to_string(vertices) + ", the vertices");
-    }
-    return indices;
-}
-
-void GltfMeshReader::add_influences(Attributes& attributes, GltfMesh& to) {
+void GltfMeshReader::add_influences(GltfPrimitive& attributes, GltfMesh& to) {
     const std::size_t first = to.influences.size();
     to.influences.resize(first + attributes.vertices());
     for (int set = 0;; ++set) {
         const std::string joints_name = "JOINTS_" + std::to_string(set);
         const std::string weights_name = "WEIGHTS_" + std::to_string(set);
         if (!attributes.has(joints_name.c_str()) && !attributes.has(weights_name.c_str())) {
-            if (set == 0) attributes.json().fail("it has no JOINTS_0, and a node gives it a skin");
+            if (set == 0)
+                attributes.attributes().fail("it has no JOINTS_0, and a node gives it a skin");
             return;
         }
         const auto joints = attributes.numbers(joints_name.c_str(), kJoints, 4);
         const auto weights = attributes.numbers(weights_name.c_str(), kWeights, 4);
         for (std::size_t i = 0; i < joints.size(); ++i) {
             if (weights[i] < 0) {
-                attributes.json().fail(
+                attributes.attributes().fail(
                     weights_name + " of vertex " + std::to_string(i / 4) + " is below 0",
                     "0 or more");
             }
@@ -177,7 +75,7 @@ void GltfMeshReader::add_targets(const JsonObject& primitive, std::size_t vertic
 }
 
 void GltfMeshReader::add_vertices(const JsonObject& primitive,
-                                  Attributes& attributes,
+                                  GltfPrimitive& attributes,
                                   const std::vector<double>& p,
                                   GltfMesh& to) {
     const std::size_t before = to.mesh.positions.size();
@@ -199,7 +97,7 @@ std::optional<std::uint32_t> GltfMeshReader::shared_vertices(const JsonObject& p
     for (auto other = first; other != last; ++other) {
         const auto& [json, first_vertex] = other->second;
         if (primitive.is_same("attributes", json) && primitive.is_same("targets", json) &&
-            !primitive.extension(kDraco) && !json.extension(kDraco))
+            !primitive.extension(kDracoMesh) && !json.extension(kDracoMesh))
             return first_vertex;
     }
     return std::nullopt;
@@ -208,12 +106,11 @@ std::optional<std::uint32_t> GltfMeshReader::shared_vertices(const JsonObject& p
 void GltfMeshReader::add_primitive(const JsonObject& primitive,
                                    std::uint32_t number,
                                    GltfMesh& to) {
-    const std::uint64_t mode = primitive.whole_or("mode", kFan, kTriangles);
-    if (mode < kTriangles) {
+    if (!is_of_triangles(primitive)) {
         ++to.lines_left_out;
         return;
     }
-    Attributes attributes(*this, primitive);
+    GltfPrimitive attributes(document_, buffers_, accessors_, primitive);
     if (!attributes.has("POSITION")) {
         ++to.empty_parts;
         return;
@@ -222,8 +119,8 @@ void GltfMeshReader::add_primitive(const JsonObject& primitive,
     const auto shared = shared_vertices(primitive, position);
     // Before the corners: their number is then known to be in the file.
     const auto p = shared ? std::vector<double>{} : attributes.numbers("POSITION", kPosition, 3);
-    const std::vector<std::uint32_t> v = corners(primitive, attributes);
-    if (v.size() < 3) {
+    const std::vector<scene::Triangle> triangles = attributes.triangles();
+    if (triangles.empty()) {
         ++to.empty_parts;
         return;
     }
@@ -234,10 +131,8 @@ void GltfMeshReader::add_primitive(const JsonObject& primitive,
                                      .value_or(document_.materials.size())),
                              .primitive = number,
                              .first_vertex = first_vertex});
-    // Draco's triangles are ones, whatever the primitive's mode says they were.
-    const auto triangles =
-        triangles_of(v, attributes.packed() ? std::uint64_t{kTriangles} : mode, first_vertex);
-    to.mesh.triangles.insert(to.mesh.triangles.end(), triangles.begin(), triangles.end());
+    for (const auto& [a, b, c] : triangles)
+        to.mesh.triangles.push_back({a + first_vertex, b + first_vertex, c + first_vertex});
     if (shared) return;
     add_vertices(primitive, attributes, p, to);
     added_.emplace(position, std::pair(primitive, first_vertex));

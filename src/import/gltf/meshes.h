@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "import/gltf/accessors.h"
+#include "import/gltf/primitive.h"
 #include "import/scene_stream.h"
 #include "scene/animation.h"
 
@@ -31,18 +32,15 @@ class GltfMeshReader {
     [[nodiscard]] GltfMesh read_mesh(std::size_t index, bool has_bones);
 
   private:
-    class Attributes;
     void add_primitive(const JsonObject& primitive, std::uint32_t number, GltfMesh& to);
     void add_vertices(const JsonObject& primitive,
-                      Attributes& attributes,
+                      GltfPrimitive& attributes,
                       const std::vector<double>& p,
                       GltfMesh& to);
     [[nodiscard]] std::optional<std::uint32_t> shared_vertices(const JsonObject& primitive,
                                                                std::size_t position) const;
-    void add_influences(Attributes& attributes, GltfMesh& to);
+    void add_influences(GltfPrimitive& attributes, GltfMesh& to);
     void add_targets(const JsonObject& primitive, std::size_t vertices, GltfMesh& to);
-    [[nodiscard]] std::vector<std::uint32_t> corners(const JsonObject& primitive,
-                                                     const Attributes& attributes);
 
     const GltfDocument& document_;
     GltfBuffers& buffers_;

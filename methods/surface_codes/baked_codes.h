@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "methods/surface_codes/smooth_mesh.h"
+#include "scene/prepared_scene.h"
+
+namespace ink::methods {
+
+/// A method that draws one code a triangle, whose codes need no view.
+enum class BakedMethod { surface8, label8 };
+
+/// The codes that the method draws at its default settings but for the crease angle: 1..255, one
+/// per triangle of the scene, by global index; see SurfaceCodes. An empty scene has none.
+[[nodiscard]] std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
+                                                     BakedMethod method,
+                                                     double crease_deg);
+
+/// The welded scene, cut into smooth patches, that these codes are made from. A scene with an
+/// animation is taken as it stands.
+[[nodiscard]] std::shared_ptr<const SmoothMesh> baked_mesh(const scene::PreparedScene& scene,
+                                                           double crease_deg);
+
+}  // namespace ink::methods

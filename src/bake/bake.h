@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/import.h"
+#include "methods/surface_codes/baked_codes.h"
+
+namespace ink::bake {
+
+/// What is put into a file.
+struct BakeOptions {
+    std::optional<methods::BakedMethod> codes;  ///< the attribute _INK
+    int texcoord = 0;                           ///< 1 or 2: codes as TEXCOORD_1 or _2, too
+    bool edges = false;                         ///< EXT_mesh_primitive_edge_visibility
+    double crease_deg = 40;                     ///< of codes and edges
+};
+
+/// "surface8", "label8".
+[[nodiscard]] std::string name(methods::BakedMethod method);
+
+/// A baked file, not yet written.
+struct BakedFile {
+    std::string bytes;
+    std::vector<std::string> lines;  ///< what was done, a sentence each
+    bool is_unchanged = false;       ///< all that was asked for was there already
+    std::size_t vertices = 0;        ///< of what was given codes, before
+    std::size_t added_vertices = 0;
+};
+
+/// The glTF file at `from`, which `model` was imported from, with what the options ask for; of the
+/// kind that the ending of `to` says. All else in it stays as it is: see README.md.
+///
+/// A file that has it all already comes back byte for byte if it is of that kind. Throws
+/// core::Error (where = `from`) for what cannot be baked, and (where = `to`) for what cannot be
+/// written there.
+[[nodiscard]] BakedFile bake(const std::filesystem::path& from,
+                             const import::ImportedModel& model,
+                             const BakeOptions& options,
+                             const std::filesystem::path& to);
+
+/// Whether a model was read from a glTF file.
+[[nodiscard]] bool is_gltf(const import::ImportedModel& model);
+
+}  // namespace ink::bake

@@ -1,0 +1,237 @@
+#include "bake/gltf_edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/base64.h"
+#include "core/error.h"
+#include "import/gltf/glb.h"
+#include "import/gltf/json.h"
+#include "import/model_bytes.h"
+
+namespace ink::bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kMeshopt{"EXT_meshopt_compression", "KHR_meshopt_compression"};
+
+std::string_view chars_of(std::span<const std::byte> bytes) {
+    return import::text_of(bytes);
+}
+
+void fill_to_word(std::string& bytes) {
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+}
+
+/// Whether a buffer or an image is a file of its own.
+bool is_file(const Json& entry) {
+    const auto uri = entry.find("uri");
+    return uri != entry.end() && uri->is_string() &&
+           !uri->get_ref<const std::string&>().starts_with("data:");
+}
+
+std::string data_uri(std::string_view bytes) {
+    return "data:application/octet-stream;base64," +
+           core::base64(std::as_bytes(std::span(bytes.data(), bytes.size())));
+}
+
+/// What an image's first bytes say it is; "" for what glTF has no word for.
+std::string mime_type(std::string_view image) {
+    if (image.starts_with("\x89PNG")) return "image/png";
+    if (image.starts_with("\xff\xd8\xff")) return "image/jpeg";
+    if (image.starts_with("\xabKTX 20")) return "image/ktx2";
+    if (image.starts_with("RIFF") && image.substr(0, 12).ends_with("WEBP")) return "image/webp";
+    return "";
+}
+
+bool is_same_folder(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::equivalent(a.empty() ? "." : a, b.empty() ? "." : b, error);
+}
+
+}  // namespace
+
+GltfEdit::GltfEdit(import::GltfDocument document)
+    : document_(std::move(document)),
+      buffers_(document_),
+      accessors_(document_, buffers_),
+      json_(Json::parse(import::without_mark(import::text_of(document_.text)))),
+      kept_buffers_(document_.buffers.size()) {
+    std::iota(kept_buffers_.begin(), kept_buffers_.end(), std::size_t{0});
+}
+
+std::size_t GltfEdit::add_view(std::span<const std::byte> bytes,
+                               std::size_t stride_bytes,
+                               Use use) {
+    fill_to_word(added_);
+    Json view = {{"buffer", 0}, {"byteOffset", added_.size()}, {"byteLength", bytes.size()}};
+    if (stride_bytes > 0) view["byteStride"] = stride_bytes;
+    if (use != Use::other) view["target"] = static_cast<int>(use);
+    added_ += chars_of(bytes);
+    json_["bufferViews"].push_back(std::move(view));
+    added_views_.push_back(json_["bufferViews"].size() - 1);
+    return added_views_.back();
+}
+
+void GltfEdit::replace_view(std::size_t view, std::span<const std::byte> bytes) {
+    fill_to_word(added_);
+    Json& json = json_["bufferViews"][view];
+    json["byteOffset"] = added_.size();
+    json["byteLength"] = bytes.size();
+    added_ += chars_of(bytes);
+    added_views_.push_back(view);
+}
+
+std::size_t GltfEdit::add_accessor(Json accessor) {
+    json_["accessors"].push_back(std::move(accessor));
+    return json_["accessors"].size() - 1;
+}
+
+void GltfEdit::use_extension(const char* name) {
+    Json& used = json_["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
+void GltfEdit::drop_extension(const char* name) {
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        if (!json_.contains(list)) continue;
+        Json& names = json_[list];
+        names.erase(std::remove(names.begin(), names.end(), Json(name)), names.end());
+        if (names.empty()) json_.erase(list);  // an empty list is not allowed
+    }
+}
+
+std::size_t GltfEdit::unpack_views() {
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < document_.buffer_views.size(); ++v) {
+        for (const char* name : kMeshopt) {
+            if (!document_.buffer_views[v].extension(name)) continue;
+            Json& extensions = json_["bufferViews"][v]["extensions"];
+            extensions.erase(name);
+            if (extensions.empty()) json_["bufferViews"][v].erase("extensions");
+            replace_view(v, buffers_.view(v));
+            ++count;
+        }
+    }
+    if (count > 0) drop_fallback_buffers();
+    for (const char* name : kMeshopt)
+        if (count > 0) drop_extension(name);
+    return count;
+}
+
+/// Buffers that have no bytes: they say how much there is once it is unpacked.
+void GltfEdit::drop_fallback_buffers() {
+    std::vector<std::size_t> number_of;
+    Json kept = Json::array();
+    kept_buffers_.clear();
+    for (std::size_t b = 0; b < document_.buffers.size(); ++b) {
+        const import::JsonObject& buffer = document_.buffers[b];
+        const bool is_fallback =
+            !buffer.has("uri") && std::any_of(kMeshopt.begin(), kMeshopt.end(), [&](auto* name) {
+                const auto extension = buffer.extension(name);
+                return extension && extension->flag_or("fallback", false);
+            });
+        number_of.push_back(is_fallback ? 0 : kept.size());
+        if (is_fallback) continue;
+        kept.push_back(json_["buffers"][b]);
+        kept_buffers_.push_back(b);
+    }
+    json_["buffers"] = std::move(kept);
+    for (std::size_t v = 0; v < document_.buffer_views.size(); ++v)
+        json_["bufferViews"][v]["buffer"] =
+            number_of[document_.buffer_views[v].index("buffer", number_of.size())];
+}
+
+std::string GltfEdit::filled(std::size_t buffer) {
+    Json& buffers = json_["buffers"];
+    std::string bytes;
+    if (buffer < kept_buffers_.size())
+        bytes = chars_of(buffers_.buffer(kept_buffers_[buffer]));
+    else
+        buffers.push_back(Json::object());
+    fill_to_word(bytes);
+    for (const std::size_t v : added_views_) {
+        Json& view = json_["bufferViews"][v];
+        view["buffer"] = buffer;
+        view["byteOffset"] = view["byteOffset"].get<std::size_t>() + bytes.size();
+    }
+    bytes += added_;
+    buffers[buffer]["byteLength"] = bytes.size();
+    return bytes;
+}
+
+bool GltfEdit::names_files() const {
+    for (const char* list : {"buffers", "images"}) {
+        if (!json_.contains(list)) continue;
+        if (std::any_of(json_[list].begin(), json_[list].end(), is_file)) return true;
+    }
+    return false;
+}
+
+void GltfEdit::hold_images(std::vector<std::string>& notes) {
+    const std::vector<import::JsonObject> images = document_.root().list("images", "image");
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        Json& image = json_["images"][i];
+        if (!is_file(image)) continue;
+        const std::string uri = image["uri"];
+        std::optional<std::vector<std::byte>> bytes;
+        try {
+            bytes = buffers_.file(uri, images[i]);
+        } catch (const core::Error&) {
+            bytes.reset();  // another computer's, or outside the folder
+        }
+        const std::string type = bytes ? mime_type(chars_of(*bytes)) : "";
+        if (type.empty()) {
+            notes.push_back(fmt::format("image {} stays where it is: {}", i, uri));
+            continue;
+        }
+        image.erase("uri");
+        image["bufferView"] = add_view(*bytes, 0, Use::other);
+        image["mimeType"] = type;
+    }
+}
+
+std::string GltfEdit::glb_for(const fs::path& path, std::vector<std::string>& notes) {
+    if (!document_.has_binary || !is_same_folder(document_.folder, path.parent_path())) {
+        hold_images(notes);
+        for (std::size_t b = 1; b < kept_buffers_.size(); ++b) {
+            if (is_file(json_["buffers"][b]))
+                json_["buffers"][b]["uri"] = data_uri(chars_of(buffers_.buffer(kept_buffers_[b])));
+        }
+    }
+    if (!json_.contains("buffers") && added_.empty())
+        return import::glb_bytes(json_.dump(), "", path);
+    const std::string bytes = filled(0);
+    json_["buffers"][0].erase("uri");
+    return import::glb_bytes(json_.dump(), bytes, path);
+}
+
+std::string GltfEdit::gltf_for() {
+    const bool has_chunk = document_.has_binary && json_.contains("buffers") &&
+                           !json_["buffers"].empty() && !json_["buffers"][0].contains("uri");
+    if (has_chunk || !added_.empty()) {
+        const std::size_t buffer = has_chunk ? 0 : json_["buffers"].size();
+        const std::string bytes = filled(buffer);
+        json_["buffers"][buffer]["uri"] = data_uri(bytes);
+    }
+    return json_.dump(2) + "\n";
+}
+
+std::string GltfEdit::bytes_for(const fs::path& path, std::vector<std::string>& notes) {
+    if (import::lower_case(path.extension().string()) == ".glb") return glb_for(path, notes);
+    if (names_files() && !is_same_folder(document_.folder, path.parent_path())) {
+        throw core::Error(path.string(),
+                          "the model names files beside it, which a .gltf here would not find",
+                          "a .gltf in " + document_.folder.string() + ", or a .glb");
+    }
+    return gltf_for();
+}
+
+}  // namespace ink::bake

@@ -1,0 +1,133 @@
+#include "bake/bake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/options/options.h"
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "core/scratch_folder.h"
+#include "core/whole_file.h"
+#include "entrants/mesh_files.h"
+
+namespace ink::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BakeArgs {
+    std::string model;
+    std::string out;
+    std::string codes;
+    std::string channel;
+    bool edges = false;
+    double crease_deg = bake::BakeOptions{}.crease_deg;
+};
+
+/// The number of a word in a list of them. Throws core::Error that lists the words.
+std::size_t choice_of(const char* option,
+                      const std::string& word,
+                      const std::vector<std::string>& words) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end())
+        throw core::Error(option,
+                          fmt::format("there is no choice '{}'", word),
+                          fmt::format("{}", fmt::join(words, ", ")));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+bake::BakeOptions options_of(const BakeArgs& args) {
+    bake::BakeOptions options;
+    options.edges = args.edges;
+    options.crease_deg = args.crease_deg;
+    if (!(args.crease_deg >= 0 && args.crease_deg <= 180))
+        throw core::Error("--crease-deg", fmt::format("{:g}", args.crease_deg), "0..180");
+    constexpr std::array kMethods{methods::BakedMethod::surface8, methods::BakedMethod::label8};
+    if (!args.codes.empty()) {
+        options.codes = kMethods[choice_of(
+            "--codes", args.codes, {bake::name(kMethods[0]), bake::name(kMethods[1])})];
+    } else if (!args.edges || !args.channel.empty()) {
+        options.codes = kMethods[0];
+    }
+    if (!args.channel.empty()) {
+        options.texcoord =
+            1 + static_cast<int>(choice_of("--channel", args.channel, {"texcoord1", "texcoord2"}));
+    }
+    return options;
+}
+
+std::string in_units(std::uintmax_t bytes) {
+    return bytes < 10'000'000 ? fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3)
+                              : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+/// Bakes a model of another format by way of a glTF file that holds its geometry.
+bake::BakedFile bake_other(const import::ImportedModel& model, const BakeArgs& args) {
+    const core::ScratchFolder scratch("bake");
+    const fs::path file = scratch.path() / "model.glb";
+    entrants::write_glb(model.scene, {}, file);
+    bake::BakedFile baked =
+        bake::bake(file, import::import_model(file), options_of(args), args.out);
+    baked.lines.insert(baked.lines.begin(), "it became glTF: geometry, names, materials by number");
+    return baked;
+}
+
+void run_bake(const BakeArgs& args) {
+    const bake::BakeOptions options = options_of(args);
+    check_output_path(args.out, {".glb", ".gltf"});
+    const core::InterruptGuard guard("nothing is written");
+    const import::ImportedModel model = import::import_model(args.model);
+    const bake::BakedFile baked = bake::is_gltf(model)
+                                      ? bake::bake(args.model, model, options, args.out)
+                                      : bake_other(model, args);
+    const std::uintmax_t bytes_before = fs::file_size(args.model);
+    core::write_whole_file(args.out, baked.bytes);
+    for (const std::string& line : baked.lines)
+        fmt::print("{}\n", line);
+    fmt::print(
+        "{}: {}, {} before\n", args.out, in_units(baked.bytes.size()), in_units(bytes_before));
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app) {
+    auto args = std::make_shared<BakeArgs>();
+    auto* command = app.add_subcommand(
+        "bake", "Put a method's codes, or the edges to draw, into a model's own glTF file");
+    command->add_option("model", args->model, "Model file; formats other than glTF become glTF")
+        ->type_name("MODEL")
+        ->required();
+    command->add_option("-o,--out", args->out, "File to write")
+        ->type_name("FILE.glb|FILE.gltf")
+        ->required();
+    command
+        ->add_option("--codes",
+                     args->codes,
+                     "Codes of this method, a byte for each triangle, as the attribute _INK "
+                     "(default: surface8, without --edges)")
+        ->type_name("surface8|label8");
+    command
+        ->add_option("--channel",
+                     args->channel,
+                     "Codes in a texture coordinate too, for engines that drop _INK: u is code/255")
+        ->type_name("texcoord1|texcoord2");
+    command->add_flag(
+        "--edges", args->edges, "Hard edges and silhouettes as EXT_mesh_primitive_edge_visibility");
+    command
+        ->add_option(
+            "--crease-deg", args->crease_deg, "Angle between faces at which an edge is a line")
+        ->type_name("DEG")
+        ->capture_default_str();
+    command->footer(
+        "The first and the last vertex of each triangle have its code, so vertices may be added. "
+        "All else in the file stays.\n"
+        "Example: inkbench bake robot.glb -o robot.ink.glb --edges --codes surface8\n"
+        "Exit codes: 0 done, 2 bad input, 130 interrupted.");
+    command->callback([args] { run_bake(*args); });
+}
+
+}  // namespace ink::cli
