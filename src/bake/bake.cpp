@@ -38,7 +38,7 @@ scene::Scene resting(const scene::Scene& scene) {
 Mark wanted_mark(const BakeOptions& options,
                  const std::optional<Mark>& before,
                  const scene::Scene& rest) {
-    Mark mark{.version = core::provenance().version, .mesh = mesh_hash(rest)};
+    Mark mark{core::provenance().version, mesh_hash(rest), {}, {}};
     if (options.codes) {
         mark.codes = {{"method", name(*options.codes)}, {"crease_deg", options.crease_deg}};
         if (options.texcoord > 0)
@@ -122,7 +122,7 @@ class Baking {
         const Mark after = wanted_mark(options, before, rest_);
         const Work work = work_for(before, after, primitives_.list);
         const BakeOptions all = options_of(after);
-        if (!work.codes && !work.edges && from_kind(from) == from_kind(to)) {
+        if (!work.codes && !work.edges && is_glb(from) == is_glb(to)) {
             return {.bytes = std::string(import::text_of(edit_.document().bytes)),
                     .lines = {"all of it is there already: nothing is changed"},
                     .is_unchanged = true};
@@ -140,7 +140,7 @@ class Baking {
     }
 
   private:
-    static bool from_kind(const fs::path& path) {
+    static bool is_glb(const fs::path& path) {
         return import::lower_case(path.extension().string()) == ".glb";
     }
 

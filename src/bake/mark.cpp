@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/mat4x4.hpp>
-#include <tuple>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -65,14 +64,16 @@ std::string mesh_hash(const scene::Scene& scene) {
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
         hasher.value(instance.world_from_object).value(mesh.triangles.size());
         for (const scene::Triangle& triangle : mesh.triangles) {
-            std::array<glm::vec3, 3> p{};
-            for (std::size_t i = 0; i < 3; ++i)
-                p[i] = mesh.positions[triangle[i]] + 0.0F;  // -0 is 0
-            const auto first =
-                std::min_element(p.begin(), p.end(), [](const glm::vec3& a, const glm::vec3& b) {
-                    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-                });
-            std::rotate(p.begin(), first, p.end());
+            std::array<std::array<float, 3>, 3> p{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const glm::vec3 place = mesh.positions[triangle[i]] + 0.0F;  // -0 is 0
+                p[i] = {place.x, place.y, place.z};
+            }
+            auto turned = p;
+            for (int turn = 0; turn < 2; ++turn) {
+                std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+                p = std::min(p, turned);
+            }
             hasher.value(p);
         }
     }

@@ -133,7 +133,8 @@ TEST(FlatCodes, NeedsTwoVerticesForATriangleAtMost) {
             }
             const FlatCodes result = flat(coded);
             expect_law(coded, result);
-            EXPECT_LE(result.added_count(0), coded.vertex_count + 2 * coded.codes.size() - 1) << entry.name;
+            EXPECT_LE(result.added_count(0), coded.vertex_count + 2 * coded.codes.size() - 1)
+                << entry.name;
         }
     }
 }
