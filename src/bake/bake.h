@@ -12,10 +12,10 @@ namespace ink::bake {
 
 /// What is put into a file.
 struct BakeOptions {
-    std::optional<methods::BakedMethod> codes;  ///< the attribute _INK
-    int texcoord = 0;                           ///< 1 or 2: codes as TEXCOORD_1 or _2, too
-    bool edges = false;                         ///< EXT_mesh_primitive_edge_visibility
-    double crease_deg = 40;                     ///< of codes and edges
+    std::optional<methods::BakedMethod> codes{};  ///< the attribute _INK
+    int texcoord = 0;                             ///< 1 or 2: codes as TEXCOORD_1 or _2, too
+    bool edges = false;                           ///< EXT_mesh_primitive_edge_visibility
+    double crease_deg = 40;                       ///< of codes and edges
 };
 
 /// "surface8", "label8".

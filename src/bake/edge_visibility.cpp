@@ -148,24 +148,24 @@ EdgeCounts add_edges(GltfEdit& edit,
         if (std::all_of(values.begin(), values.end(), [](auto value) { return value == kHidden; }))
             continue;
         const std::vector<std::byte> bytes = packed_visibility(values);
-        Json& json = primitive.json(edit);
-        Json& extension = json["extensions"][kEdgeVisibility];
-        extension = {
+        Json extension = {
             {"visibility",
              edit.add_accessor({{"bufferView", edit.add_view(bytes, 0, GltfEdit::Use::other)},
                                 {"componentType", kUnsignedByte},
                                 {"count", bytes.size()},
                                 {"type", "SCALAR"}})}};
-        edit.use_extension(kEdgeVisibility);
         const std::vector<float> pairs = normals_of(primitive, own, values, edges, normals);
-        if (pairs.empty()) continue;
         counts.silhouettes += pairs.size() / 6;
-        extension["silhouetteNormals"] = edit.add_accessor(
-            {{"bufferView",
-              edit.add_view(std::as_bytes(std::span(pairs)), 0, GltfEdit::Use::other)},
-             {"componentType", kFloat},
-             {"count", pairs.size() / 3},
-             {"type", "VEC3"}});
+        if (!pairs.empty()) {
+            const auto of_pairs = std::as_bytes(std::span(pairs));
+            extension["silhouetteNormals"] =
+                edit.add_accessor({{"bufferView", edit.add_view(of_pairs, 0, GltfEdit::Use::other)},
+                                   {"componentType", kFloat},
+                                   {"count", pairs.size() / 3},
+                                   {"type", "VEC3"}});
+        }
+        edit.use_extension(kEdgeVisibility);
+        primitive.json(edit)["extensions"][kEdgeVisibility] = std::move(extension);
     }
     return counts;
 }

@@ -65,6 +65,11 @@ GltfEdit::GltfEdit(import::GltfDocument document)
       json_(Json::parse(import::without_mark(import::text_of(document_.text)))),
       kept_buffers_(document_.buffers.size()) {
     std::iota(kept_buffers_.begin(), kept_buffers_.end(), std::size_t{0});
+    // Ordered objects are vectors that copy all they hold when they grow: with room for the lists
+    // that may be new, what callers hold of the JSON stays where it is.
+    constexpr std::size_t kNewKeys = 8;
+    auto& root = json_.get_ref<Json::object_t&>();
+    root.reserve(root.size() + kNewKeys);
 }
 
 std::size_t GltfEdit::add_view(std::span<const std::byte> bytes,

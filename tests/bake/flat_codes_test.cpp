@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <set>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
@@ -120,6 +121,43 @@ TEST(FlatCodes, HoldsForEveryMesh) {
         ASSERT_EQ(again.indices, result.indices);
         ASSERT_EQ(again.codes, result.codes);
     }
+}
+
+/// The fewest copies that any choice of corners that go without needs, all of them tried.
+std::size_t fewest_copies(const CodedMesh& mesh) {
+    std::size_t choices = 1, fewest = mesh.indices.size();
+    for (std::size_t t = 0; t < mesh.codes.size(); ++t)
+        choices *= 4;
+    for (std::size_t choice = 0; choice < choices; ++choice) {
+        std::set<std::pair<std::uint32_t, std::uint64_t>> needs;
+        for (std::size_t t = 0; t < mesh.codes.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i)
+                if ((choice >> (2 * t) & 3U) != i)
+                    needs.emplace(mesh.indices[3 * t + i], mesh.codes[t]);
+        std::set<std::uint32_t> used;
+        for (const auto& [vertex, code] : needs)
+            used.insert(vertex);
+        fewest = std::min(fewest, needs.size() - used.size());
+    }
+    return fewest;
+}
+
+TEST(FlatCodes, AddsHardlyMoreThanTheFewestThatWouldDo) {
+    std::mt19937 random(8);
+    std::size_t added = 0, fewest = 0;
+    for (int round = 0; round < 60; ++round) {
+        CodedMesh mesh{.vertex_count = 6};
+        for (int t = 0; t < 7; ++t) {
+            const auto first = static_cast<std::uint32_t>(random() % 6);
+            const auto step = static_cast<std::uint32_t>(1 + random() % 2);
+            for (std::uint32_t i = 0; i < 3; ++i)
+                mesh.indices.push_back((first + i * step) % 6);
+            mesh.codes.push_back(random() % 3);
+        }
+        added += flat(mesh).added_count(6);
+        fewest += fewest_copies(mesh);
+    }
+    EXPECT_LE(static_cast<double>(added), 1.05 * static_cast<double>(fewest));
 }
 
 TEST(FlatCodes, NeedsTwoVerticesForATriangleAtMost) {

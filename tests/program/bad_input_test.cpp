@@ -287,6 +287,7 @@ TEST(BadName, TooLongForAFile) {
                              "score {0}.png {0}.exr",
                              "figures {} --out out",
                              "export {} -o out",
+                             "bake {}.glb -o out.glb",
                              "timedemo {}",
                              "tune mote4 --scenes {}",
                              "entrant-test {}"})
