@@ -160,6 +160,10 @@ class Baking {
             counted(triangles, "triangle", "triangles"),
             counted(counts.added, "vertex is added", "vertices are added"),
             counts.vertices);
+        if (counts.idle_bytes > 0)
+            say("{:.1f} kB of it are vertices as they were, which nothing uses now (gltf-transform "
+                "prune takes them out)",
+                static_cast<double>(counts.idle_bytes) / 1e3);
         if (counts.unstripped > 0)
             say("{} became plain triangles",
                 counted(counts.unstripped, "strip or fan", "strips or fans"));
