@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/run_program.h"
+
+// `inkbench bake`, as a user runs it.
+
+namespace ink::program {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+/// A .gltf that is a tetrahedron, its numbers in itself.
+std::string tetrahedron() {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+           R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3",)"
+           R"("min":[0,0,0],"max":[1,1,1]},)"
+           R"({"bufferView":1,"componentType":5121,"count":12,"type":"SCALAR"}],)"
+           R"("bufferViews":[{"buffer":0,"byteLength":48},)"
+           R"({"buffer":0,"byteOffset":48,"byteLength":12}],)"
+           R"("buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)"
+           "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"
+           R"(AAIBAAEDAAMCAQID"}]})";
+}
+
+TEST(BakeProgram, WritesAFileAndSaysWhatWasDone) {
+    const Desk desk;
+    desk.write("a.gltf", tetrahedron());
+    const std::string said = expect_done(desk, "bake a.gltf -o b.gltf --edges --codes surface8");
+    EXPECT_THAT(said, HasSubstr("codes of surface8 on 4 triangles: "));
+    EXPECT_THAT(said, HasSubstr("edges: 6 hard ones and 0 that may be silhouettes\n"));
+    EXPECT_THAT(said, HasSubstr("b.gltf: "));
+    const Json baked = Json::parse(desk.read("b.gltf"));
+    EXPECT_EQ(baked["extensionsUsed"], Json({"EXT_mesh_primitive_edge_visibility"}));
+    EXPECT_TRUE(baked["meshes"][0]["primitives"][0]["attributes"].contains("_INK"));
+
+    EXPECT_THAT(expect_done(desk, "bake b.gltf -o c.gltf --edges --codes surface8"),
+                HasSubstr("nothing is changed"));
+    EXPECT_EQ(desk.read("c.gltf"), desk.read("b.gltf"));
+    // In place, too.
+    expect_done(desk, "bake a.gltf -o a.gltf --edges --codes surface8");
+    EXPECT_EQ(desk.read("a.gltf"), desk.read("b.gltf"));
+}
+
+TEST(BakeProgram, CodesAreTheDefaultUnlessEdgesAreAskedFor) {
+    const Desk desk;
+    desk.write("a.gltf", tetrahedron());
+    const auto attributes = [&](const std::string& options) {
+        expect_done(desk, "bake a.gltf -o b.gltf" + options);
+        return Json::parse(desk.read("b.gltf"))["meshes"][0]["primitives"][0]["attributes"];
+    };
+    EXPECT_TRUE(attributes("").contains("_INK"));
+    EXPECT_FALSE(attributes(" --edges").contains("_INK"));
+    EXPECT_TRUE(attributes(" --edges --channel texcoord1").contains("TEXCOORD_1"));
+}
+
+TEST(BakeProgram, MakesGltfOfOtherFormats) {
+    const Desk desk;
+    desk.write("cube.obj", kCubeObj);
+    const std::string said = expect_done(desk, "bake cube.obj -o cube.glb");
+    EXPECT_THAT(said, StartsWith("it became glTF: "));
+    EXPECT_THAT(said, HasSubstr("codes of surface8 on 12 triangles"));
+    EXPECT_THAT(expect_done(desk, "bake cube.glb -o again.glb"), HasSubstr("nothing is changed"));
+    EXPECT_EQ(desk.inventory().size(), 3U);
+}
+
+TEST(BakeProgram, RefusesWithOneLineAndLeavesNothing) {
+    const Desk desk;
+    desk.write("a.gltf", tetrahedron());
+    desk.write("empty.glb", "");
+    desk.write("none.gltf", R"({"asset":{"version":"2.0"}})");
+    std::string damaged = tetrahedron();
+    damaged.replace(damaged.find("\"count\":12"), 10, "\"count\":99");
+    desk.write("damaged.gltf", damaged);
+    std::string huge = tetrahedron();
+    huge.replace(huge.find("\"count\":4"), 9, "\"count\":4000000000");
+    desk.write("huge.gltf", huge);
+    expect_refused(desk, "bake empty.glb -o b.glb", {"empty.glb", "the file is empty"});
+    expect_refused(desk, "bake none.gltf -o b.glb", {"none.gltf", "no triangle"});
+    expect_refused(desk, "bake damaged.gltf -o b.glb", {"damaged.gltf", "accessor 1", "0..12"});
+    expect_refused(desk, "bake huge.gltf -o b.glb", {"huge.gltf", "accessor 0", "4000000000"});
+    expect_refused(desk, "bake missing.glb -o b.glb", {"missing.glb", "no such file"});
+    expect_refused(desk, "bake a.gltf -o b.obj", {"b.obj", ".glb", ".gltf"});
+    expect_refused(desk, "bake a.gltf -o no/b.glb", {"no/b.glb"});
+    expect_refused(desk, "bake a.gltf", {"--out"});
+    expect_refused(
+        desk, "bake a.gltf -o b.glb --codes ids", {"--codes", "ids", "surface8, label8"});
+    expect_refused(desk, "bake a.gltf -o b.glb --channel uv2", {"--channel", "texcoord1"});
+    expect_refused(
+        desk, "bake a.gltf -o b.glb --crease-deg 200", {"--crease-deg", "200", "0..180"});
+}
+
+}  // namespace
+}  // namespace ink::program
