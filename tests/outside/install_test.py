@@ -29,7 +29,8 @@ class InstallTest(unittest.TestCase):
         found = sorted(path.parent.name for path in adapters.OUTSIDE.glob("*/*")
                        if path.name == path.parent.name)
         self.assertGreaterEqual(len(found), 5)
-        self.assertEqual(found, sorted({n for entry in adapters.engines() for n in entry["for"]}))
+        listed = {n for entry in adapters.engines() for n in entry["for"]}
+        self.assertEqual(found, sorted(listed - {"gltf_validator"}))  # which is for tests/bake
         said = adapters.run(sys.executable, INSTALL, "--list")
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertEqual(len(said.stdout.splitlines()), len(adapters.engines()))
