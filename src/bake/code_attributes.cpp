@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -150,6 +151,21 @@ class Splitter {
         return add(from, edit_.accessors().components(from));
     }
 
+    /// What came out of a stream is not to the digit what its accessor said of it.
+    static void set_bounds(const std::vector<double>& components,
+                           std::size_t width,
+                           Json& accessor) {
+        if (!accessor.contains("min") && !accessor.contains("max")) return;
+        std::vector<double> low(width, std::numeric_limits<double>::infinity()), high(width);
+        std::transform(low.begin(), low.end(), high.begin(), std::negate<>());
+        for (std::size_t i = 0; i < components.size(); ++i) {
+            low[i % width] = std::min(low[i % width], components[i]);
+            high[i % width] = std::max(high[i % width], components[i]);
+        }
+        accessor["min"] = low;
+        accessor["max"] = high;
+    }
+
     std::size_t add(std::size_t from, const std::vector<double>& components) {
         const std::size_t size = edit_.accessors().element_bytes(from);
         const auto bytes =
@@ -166,6 +182,7 @@ class Splitter {
         accessor.erase("byteOffset");
         accessor["bufferView"] = view;
         accessor["count"] = source_vertex_.size();
+        if (!is_in_buffer) set_bounds(components, edit_.accessors().width(from), accessor);
         return edit_.add_accessor(std::move(accessor));
     }
 

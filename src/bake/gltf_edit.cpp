@@ -14,6 +14,7 @@
 #include "import/gltf/glb.h"
 #include "import/gltf/json.h"
 #include "import/model_bytes.h"
+#include "import/printable.h"
 
 namespace ink::bake {
 namespace {
@@ -184,17 +185,19 @@ void GltfEdit::hold_images(std::vector<std::string>& notes) {
     const std::vector<import::JsonObject> images = document_.root().list("images", "image");
     for (std::size_t i = 0; i < images.size(); ++i) {
         Json& image = json_["images"][i];
-        if (!is_file(image)) continue;
+        if (!image.contains("uri") || !image["uri"].is_string()) continue;
         const std::string uri = image["uri"];
         std::optional<std::vector<std::byte>> bytes;
         try {
-            bytes = buffers_.file(uri, images[i]);
+            bytes = buffers_.bytes_at(uri, images[i]);
         } catch (const core::Error&) {
             bytes.reset();  // another computer's, or outside the folder
         }
         const std::string type = bytes ? mime_type(chars_of(*bytes)) : "";
         if (type.empty()) {
-            notes.push_back(fmt::format("image {} stays where it is: {}", i, uri));
+            constexpr std::size_t kMostShown_chars = 60;
+            notes.push_back(fmt::format(
+                "image {} stays where it is: {}", i, import::printable(uri, kMostShown_chars)));
             continue;
         }
         image.erase("uri");
@@ -203,13 +206,44 @@ void GltfEdit::hold_images(std::vector<std::string>& notes) {
     }
 }
 
+/// Takes the bytes of all buffers behind the first into it. Views of meshopt, which know buffers
+/// too, are let alone: then those buffers stay, as data.
+void GltfEdit::hold_buffers() {
+    if (kept_buffers_.size() < 2) return;
+    const auto& views = document_.buffer_views;
+    const bool is_packed = std::any_of(views.begin(), views.end(), [](auto& view) {
+        return std::any_of(kMeshopt.begin(), kMeshopt.end(), [&](auto* name) {
+            return view.extension(name).has_value();
+        });
+    });
+    Json& buffers = json_["buffers"];
+    if (is_packed) {
+        for (std::size_t b = 1; b < kept_buffers_.size(); ++b)
+            if (is_file(buffers[b]))
+                buffers[b]["uri"] = data_uri(chars_of(buffers_.buffer(kept_buffers_[b])));
+        return;
+    }
+    std::vector<std::size_t> start(kept_buffers_.size(), 0);
+    for (std::size_t b = 1; b < start.size(); ++b) {
+        fill_to_word(added_);
+        start[b] = added_.size();
+        added_ += chars_of(buffers_.buffer(kept_buffers_[b]));
+    }
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const std::size_t b = views[v].index("buffer", document_.buffers.size());
+        if (b == 0) continue;
+        Json& view = json_["bufferViews"][v];
+        view["byteOffset"] = start[b] + views[v].whole_or("byteOffset", ~std::uint64_t{0}, 0);
+        added_views_.push_back(v);
+    }
+    buffers.erase(buffers.begin() + 1, buffers.end());
+    kept_buffers_.resize(1);
+}
+
 std::string GltfEdit::glb_for(const fs::path& path, std::vector<std::string>& notes) {
     if (!document_.has_binary || !is_same_folder(document_.folder, path.parent_path())) {
         hold_images(notes);
-        for (std::size_t b = 1; b < kept_buffers_.size(); ++b) {
-            if (is_file(json_["buffers"][b]))
-                json_["buffers"][b]["uri"] = data_uri(chars_of(buffers_.buffer(kept_buffers_[b])));
-        }
+        hold_buffers();
     }
     if (!json_.contains("buffers") && added_.empty())
         return import::glb_bytes(json_.dump(), "", path);

@@ -57,6 +57,7 @@ class GltfEdit {
 
   private:
     void drop_fallback_buffers();
+    void hold_buffers();
     void hold_images(std::vector<std::string>& notes);
     [[nodiscard]] bool names_files() const;
     [[nodiscard]] std::string glb_for(const std::filesystem::path& path,

@@ -212,8 +212,9 @@ std::span<const std::byte> GltfBuffers::buffer(std::size_t index) {
     return std::span<const std::byte>(*kept).first(size);
 }
 
-std::optional<std::vector<std::byte>> GltfBuffers::file(const std::string& uri,
-                                                        const JsonObject& owner) const {
+std::optional<std::vector<std::byte>> GltfBuffers::bytes_at(const std::string& uri,
+                                                            const JsonObject& owner) const {
+    if (uri.starts_with("data:")) return bytes_of_data_uri(uri, owner);
     return read_file(path_of_uri(uri, document_.folder, owner), kMostBytes);
 }
 

@@ -19,10 +19,10 @@ class GltfBuffers {
     [[nodiscard]] std::span<const std::byte> view(std::size_t index);
     /// All bytes of a buffer.
     [[nodiscard]] std::span<const std::byte> buffer(std::size_t index);
-    /// The bytes of the file that a relative URI of `owner` names, below the document's folder;
-    /// nothing if it cannot be read. Fails for a URI that leaves it.
-    [[nodiscard]] std::optional<std::vector<std::byte>> file(const std::string& uri,
-                                                             const JsonObject& owner) const;
+    /// The bytes that a URI of `owner` holds as data, or of the file that it names below the
+    /// document's folder; nothing if that cannot be read. Fails for a URI that leaves the folder.
+    [[nodiscard]] std::optional<std::vector<std::byte>> bytes_at(const std::string& uri,
+                                                                 const JsonObject& owner) const;
     /// The file's bytes and all that was read or unpacked so far: no list in the file can sensibly
     /// be longer.
     [[nodiscard]] std::uint64_t bytes_known() const { return bytes_known_; }
