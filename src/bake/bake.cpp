@@ -135,6 +135,9 @@ class Baking {
         write_mark(edit_.json(), after);
         std::vector<std::string> notes;
         file_.bytes = edit_.bytes_for(to, notes);
+        if (edit_.idle_bytes() > 0)
+            say("{:.1f} kB of it were vertices and indices, and nothing uses them now",
+                static_cast<double>(edit_.idle_bytes()) / 1e3);
         file_.lines.insert(file_.lines.end(), notes.begin(), notes.end());
         return std::move(file_);
     }
@@ -160,10 +163,6 @@ class Baking {
             counted(triangles, "triangle", "triangles"),
             counted(counts.added, "vertex is added", "vertices are added"),
             counts.vertices);
-        if (counts.idle_bytes > 0)
-            say("{:.1f} kB of it are vertices as they were, which nothing uses now (gltf-transform "
-                "prune takes them out)",
-                static_cast<double>(counts.idle_bytes) / 1e3);
         if (counts.unstripped > 0)
             say("{} became plain triangles",
                 counted(counts.unstripped, "strip or fan", "strips or fans"));

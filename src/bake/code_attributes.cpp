@@ -117,10 +117,19 @@ std::vector<std::byte> spread_out(const std::vector<std::byte>& elements,
 /// Attributes of a group on the way to their new vertices.
 class Splitter {
   public:
-    std::size_t idle_bytes = 0;  ///< of what was written anew
-
-    Splitter(GltfEdit& edit, const std::vector<std::uint32_t>& source_vertex, std::size_t before)
-        : edit_(edit), source_vertex_(source_vertex), vertices_before_(before) {}
+    Splitter(GltfEdit& edit, const Group& group, const std::vector<std::uint32_t>& source_vertex)
+        : edit_(edit),
+          source_vertex_(source_vertex),
+          vertices_before_(group[0]->source.vertices()) {
+        for (const BakedPrimitive* primitive : group) {
+            for (const auto& [name, accessor] : primitive->json(edit)["attributes"].items())
+                ++uses_[primitive->source.accessor(name.c_str())];
+            const auto targets = primitive->source.json().list("targets", "target");
+            for (std::size_t t = 0; t < targets.size(); ++t)
+                for (const auto& [name, accessor] : primitive->json(edit)["targets"][t].items())
+                    ++uses_[targets[t].index(name.c_str(), edit.accessors().size())];
+        }
+    }
 
     void split(const BakedPrimitive& primitive) {
         Json& json = primitive.json(edit_);
@@ -171,7 +180,6 @@ class Splitter {
         const auto bytes =
             spread_out(edit_.accessors().packed(from, components), size, source_vertex_);
         const bool is_in_buffer = edit_.accessors().json(from).has("bufferView");
-        if (is_in_buffer) idle_bytes += size * vertices_before_;
         const bool has_gaps = size % kWord_bytes != 0;
         const std::size_t view =
             edit_.add_view(bytes,
@@ -183,10 +191,11 @@ class Splitter {
         accessor["bufferView"] = view;
         accessor["count"] = source_vertex_.size();
         if (!is_in_buffer) set_bounds(components, edit_.accessors().width(from), accessor);
-        return edit_.add_accessor(std::move(accessor));
+        return edit_.replace_accessor(from, uses_.at(from), std::move(accessor));
     }
 
     GltfEdit& edit_;
+    std::map<std::size_t, std::size_t> uses_;  ///< of accessors, in the group
     const std::vector<std::uint32_t>& source_vertex_;
     std::size_t vertices_before_;
     std::map<std::size_t, std::size_t> known_;
@@ -226,11 +235,13 @@ void write_indices(GltfEdit& edit, const BakedPrimitive& primitive) {
         : type == kUnsignedShort ? bytes_of<std::uint16_t>(primitive.triangles)
                                  : bytes_of<std::uint32_t>(primitive.triangles);
     Json& json = primitive.json(edit);
-    json["indices"] =
-        edit.add_accessor({{"bufferView", edit.add_view(bytes, 0, GltfEdit::Use::indices)},
-                           {"componentType", type},
-                           {"count", 3 * primitive.triangles.size()},
-                           {"type", "SCALAR"}});
+    Json accessor = {{"bufferView", edit.add_view(bytes, 0, GltfEdit::Use::indices)},
+                     {"componentType", type},
+                     {"count", 3 * primitive.triangles.size()},
+                     {"type", "SCALAR"}};
+    const auto old = source.find_index("indices", edit.accessors().size());
+    json["indices"] = old ? edit.replace_accessor(*old, 1, std::move(accessor))
+                          : edit.add_accessor(std::move(accessor));
     if (json.contains("mode")) json["mode"] = 4;
 }
 
@@ -280,7 +291,7 @@ void bake_group(GltfEdit& edit,
     counts.vertices += before;
     counts.added += flat.added_count(before);
 
-    Splitter splitter(edit, flat.source_vertex, before);
+    Splitter splitter(edit, group, flat.source_vertex);
     std::span<const std::uint32_t> indices(flat.indices);
     for (BakedPrimitive* primitive : group) {
         if (is_draco || flat.added_count(before) > 0) splitter.split(*primitive);
@@ -310,7 +321,6 @@ void bake_group(GltfEdit& edit,
         if (json["extensions"].empty()) json.erase("extensions");
     }
 
-    counts.idle_bytes += splitter.idle_bytes;
     std::vector<std::byte> bytes(kWord_bytes * flat.codes.size(), std::byte{0});
     for (std::size_t v = 0; v < flat.codes.size(); ++v)
         bytes[kWord_bytes * v] = static_cast<std::byte>(flat.codes[v]);

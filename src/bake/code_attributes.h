@@ -18,7 +18,6 @@ struct CodeCounts {
     std::size_t added = 0;
     std::size_t unstripped = 0;  ///< strips and fans that became triangles
     std::size_t undraco = 0;     ///< primitives that Draco had packed
-    std::size_t idle_bytes = 0;  ///< of vertices as they were, where copies took their place
     std::size_t filled = 0;      ///< primitives whose lower TEXCOORDs were missing
 };
 

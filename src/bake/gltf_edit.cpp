@@ -6,6 +6,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -71,33 +72,37 @@ GltfEdit::GltfEdit(import::GltfDocument document)
     constexpr std::size_t kNewKeys = 8;
     auto& root = json_.get_ref<Json::object_t&>();
     root.reserve(root.size() + kNewKeys);
+    may_reuse_ = knows_all_references(json_) && !document_.buffers.empty();
+    if (may_reuse_) used_before_ = used_bytes(json_, 0, 0);
+    uses_ = accessor_uses(json_);
 }
 
 std::size_t GltfEdit::add_view(std::span<const std::byte> bytes,
                                std::size_t stride_bytes,
                                Use use) {
-    fill_to_word(added_);
-    Json view = {{"buffer", 0}, {"byteOffset", added_.size()}, {"byteLength", bytes.size()}};
+    Json view = {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", bytes.size()}};
     if (stride_bytes > 0) view["byteStride"] = stride_bytes;
     if (use != Use::other) view["target"] = static_cast<int>(use);
-    added_ += chars_of(bytes);
     json_["bufferViews"].push_back(std::move(view));
-    added_views_.push_back(json_["bufferViews"].size() - 1);
-    return added_views_.back();
+    const std::size_t number = json_["bufferViews"].size() - 1;
+    added_.push_back({std::string(chars_of(bytes)), {{number, 0}}});
+    return number;
 }
 
 void GltfEdit::replace_view(std::size_t view, std::span<const std::byte> bytes) {
-    fill_to_word(added_);
-    Json& json = json_["bufferViews"][view];
-    json["byteOffset"] = added_.size();
-    json["byteLength"] = bytes.size();
-    added_ += chars_of(bytes);
-    added_views_.push_back(view);
+    json_["bufferViews"][view]["byteLength"] = bytes.size();
+    added_.push_back({std::string(chars_of(bytes)), {{view, 0}}});
 }
 
 std::size_t GltfEdit::add_accessor(Json accessor) {
     json_["accessors"].push_back(std::move(accessor));
     return json_["accessors"].size() - 1;
+}
+
+std::size_t GltfEdit::replace_accessor(std::size_t old, std::size_t uses, Json accessor) {
+    if (!may_reuse_ || uses_[old] != uses) return add_accessor(std::move(accessor));
+    json_["accessors"][old] = std::move(accessor);
+    return old;
 }
 
 void GltfEdit::use_extension(const char* name) {
@@ -155,20 +160,57 @@ void GltfEdit::drop_fallback_buffers() {
             number_of[document_.buffer_views[v].index("buffer", number_of.size())];
 }
 
+/// What the first buffer had in use and has no more.
+std::vector<ByteRange> GltfEdit::free_bytes(std::size_t size) const {
+    if (!may_reuse_ || kept_buffers_.empty() || kept_buffers_[0] != 0) return {};
+    std::set<std::size_t> left_out;
+    for (const Added& added : added_)
+        for (const auto& [view, offset] : added.views)
+            left_out.insert(view);
+    std::vector<ByteRange> free;
+    for (ByteRange range : without(used_before_, used_bytes(json_, 0, size, left_out))) {
+        range.first = (range.first + 3) / 4 * 4;
+        range.end = std::min(range.end, size);
+        if (range.first < range.end) free.push_back(range);
+    }
+    return free;
+}
+
 std::string GltfEdit::filled(std::size_t buffer) {
     Json& buffers = json_["buffers"];
     std::string bytes;
-    if (buffer < kept_buffers_.size())
+    std::vector<ByteRange> free;
+    if (buffer < kept_buffers_.size()) {
         bytes = chars_of(buffers_.buffer(kept_buffers_[buffer]));
-    else
+        if (buffer == 0) free = free_bytes(bytes.size());
+    } else {
         buffers.push_back(Json::object());
-    fill_to_word(bytes);
-    for (const std::size_t v : added_views_) {
-        Json& view = json_["bufferViews"][v];
-        view["buffer"] = buffer;
-        view["byteOffset"] = view["byteOffset"].get<std::size_t>() + bytes.size();
     }
-    bytes += added_;
+    // The longest first: they find room most rarely.
+    std::stable_sort(added_.begin(), added_.end(), [](const Added& a, const Added& b) {
+        return a.bytes.size() > b.bytes.size();
+    });
+    for (const Added& added : added_) {
+        const auto room = std::find_if(free.begin(), free.end(), [&](const ByteRange& range) {
+            return range.end - range.first >= added.bytes.size();
+        });
+        std::size_t start = 0;
+        if (room != free.end() && !added.bytes.empty()) {
+            start = room->first;
+            bytes.replace(start, added.bytes.size(), added.bytes);
+            room->first = std::min((start + added.bytes.size() + 3) / 4 * 4, room->end);
+        } else {
+            fill_to_word(bytes);
+            start = bytes.size();
+            bytes += added.bytes;
+        }
+        for (const auto& [view, offset] : added.views) {
+            json_["bufferViews"][view]["buffer"] = buffer;
+            json_["bufferViews"][view]["byteOffset"] = start + offset;
+        }
+    }
+    for (const ByteRange& range : free)
+        idle_bytes_ += range.end - range.first;
     buffers[buffer]["byteLength"] = bytes.size();
     return bytes;
 }
@@ -223,19 +265,15 @@ void GltfEdit::hold_buffers() {
                 buffers[b]["uri"] = data_uri(chars_of(buffers_.buffer(kept_buffers_[b])));
         return;
     }
-    std::vector<std::size_t> start(kept_buffers_.size(), 0);
-    for (std::size_t b = 1; b < start.size(); ++b) {
-        fill_to_word(added_);
-        start[b] = added_.size();
-        added_ += chars_of(buffers_.buffer(kept_buffers_[b]));
-    }
+    std::vector<Added> held(kept_buffers_.size());
+    for (std::size_t b = 1; b < held.size(); ++b)
+        held[b].bytes = chars_of(buffers_.buffer(kept_buffers_[b]));
     for (std::size_t v = 0; v < views.size(); ++v) {
         const std::size_t b = views[v].index("buffer", document_.buffers.size());
-        if (b == 0) continue;
-        Json& view = json_["bufferViews"][v];
-        view["byteOffset"] = start[b] + views[v].whole_or("byteOffset", ~std::uint64_t{0}, 0);
-        added_views_.push_back(v);
+        if (b > 0)
+            held[b].views.emplace_back(v, views[v].whole_or("byteOffset", ~std::uint64_t{0}, 0));
     }
+    added_.insert(added_.end(), held.begin() + 1, held.end());
     buffers.erase(buffers.begin() + 1, buffers.end());
     kept_buffers_.resize(1);
 }
