@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,13 +14,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMost = std::size_t{1} << 40;
 
+/// A whole number; nothing for what is none.
+std::optional<std::size_t> whole(const Json& number) {
+    if (!number.is_number_integer()) return std::nullopt;
+    const bool is_good = number.is_number_unsigned() || number.get<std::int64_t>() >= 0;
+    if (!is_good || number.get<std::size_t>() > kMost) return std::nullopt;
+    return number.get<std::size_t>();
+}
+
 /// A whole number, `fallback` where there is none; nothing for what is no such number.
 std::optional<std::size_t> whole(const Json& owner, const char* key, std::size_t fallback) {
     if (!owner.is_object()) return std::nullopt;
     const auto found = owner.find(key);
     if (found == owner.end()) return fallback;
-    if (!found->is_number_unsigned() || found->get<std::size_t>() > kMost) return std::nullopt;
-    return found->get<std::size_t>();
+    return whole(*found);
 }
 
 /// Bytes of an element; nothing for a type that is not known.
@@ -192,8 +200,8 @@ std::vector<std::size_t> accessor_uses(const Json& gltf) {
     const auto accessors = gltf.find("accessors");
     std::vector<std::size_t> uses(accessors == gltf.end() ? 0 : accessors->size(), 0);
     const auto count = [&](const Json& number) {
-        if (number.is_number_unsigned() && number.get<std::size_t>() < uses.size())
-            ++uses[number.get<std::size_t>()];
+        const auto accessor = whole(number);
+        if (accessor && *accessor < uses.size()) ++uses[*accessor];
     };
     const auto count_all = [&](const Json& owner, const char* key) {
         if (!owner.is_object() || !owner.contains(key)) return;

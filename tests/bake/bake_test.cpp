@@ -142,6 +142,33 @@ TEST_F(Bake, AllThatWasInTheFileIsThereStill) {
     }
 }
 
+TEST_F(Bake, VerticesThatAreWrittenAnewTakeThePlaceOfTheOld) {
+    // No extension that may use bytes in its own way, and an image behind the vertices.
+    GlbFile file = rich_cube();
+    file.json.erase("extensionsUsed");
+    file.json["meshes"][0]["primitives"][0].erase("extensions");
+    const std::string picture(999, 'p');
+    const std::size_t view = file.view(picture);
+    file.put("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+    const BakedFile baked = expect_baked(file);
+    const Json before = json_of("from.glb"), after = json_of("to.glb");
+    // Accessors have their numbers still, and nothing but these changed.
+    EXPECT_EQ(before["meshes"][0]["primitives"][0]["targets"],
+              after["meshes"][0]["primitives"][0]["targets"]);
+    EXPECT_EQ(after["accessors"].size(), before["accessors"].size() + 1);
+    Json same = after;
+    for (std::size_t a = 0; a < before["accessors"].size(); ++a)
+        same["accessors"][a] = before["accessors"][a];
+    expect_additions_only(before, same);
+    const auto open = *import::open_gltf(in_folder("to.glb"));
+    EXPECT_NE(import::text_of(open.binary).find(picture), std::string::npos);
+    OpenFile old_file(in_folder("from.glb")), new_file(in_folder("to.glb"));
+    for (const char* list : {"input", "output"}) {
+        const std::size_t keys = before["animations"][0]["samplers"][0][list];
+        EXPECT_EQ(old_file.accessors.components(keys), new_file.accessors.components(keys));
+    }
+}
+
 TEST_F(Bake, NumbersOfJsonKeepTheirDigitsAndKeysTheirOrder) {
     GlbFile file = one_cube();
     const auto from = write("from.glb", file.bytes());
