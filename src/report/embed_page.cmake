@@ -1,5 +1,6 @@
-# Writes the C++ file that holds the page's files, as raw string literals.
-#   cmake -DOUT=page_files.cpp -DFOLDER=page -DD3=d3.min.js -DSCRIPTS=a.js,b.js -P embed_page.cmake
+# Writes the C++ file that holds a page's files, as raw string literals.
+#   cmake -DOUT=page_files.cpp -DFUNCTION=page_files -DINDEX=index.html -DSTYLES=a.css,b.css -DSCRIPTS=a.js,b.js
+#         [-DD3=d3.min.js] [-DSHADERS=a.glsl,b.glsl] -P embed_page.cmake
 
 function(literal out file)
     file(READ "${file}" text)
@@ -10,26 +11,37 @@ function(literal out file)
     set(${out} "R\"__ink__(${text})__ink__\"" PARENT_SCOPE)
 endfunction()
 
-literal(index "${FOLDER}/index.html")
-literal(style "${FOLDER}/style.css")
-literal(d3 "${D3}")
-string(REPLACE "," ";" scripts "${SCRIPTS}")
-set(all "")
-foreach(script IN LISTS scripts)
-    literal(text "${FOLDER}/${script}")
-    string(APPEND all "        ${text}\n")
-endforeach()
+# The files of a list by commas as literals in a row; with a heading, that and the file's name before each.
+function(literals out files heading)
+    string(REPLACE "," ";" files "${files}")
+    set(all "\"\"")
+    foreach(file IN LISTS files)
+        literal(text "${file}")
+        if(heading)
+            cmake_path(GET file STEM name)
+            string(APPEND all "\n        \"${heading} ${name}\\n\"")
+        endif()
+        string(APPEND all "\n        ${text}")
+    endforeach()
+    set(${out} "${all}" PARENT_SCOPE)
+endfunction()
+
+literals(index "${INDEX}" "")
+literals(styles "${STYLES}" "")
+literals(scripts "${SCRIPTS}" "")
+literals(shaders "${SHADERS}" "//// method")
+literals(d3 "${D3}" "")
 
 file(WRITE "${OUT}" "#include \"report/page_files.h\"
 
 namespace ink::report {
 
-const PageFiles& page_files() {
+const PageFiles& ${FUNCTION}() {
     static const PageFiles kFiles = {
         .index = ${index},
-        .style = ${style},
-        .scripts =
-${all},
+        .style = ${styles},
+        .scripts = ${scripts},
+        .shaders = ${shaders},
         .d3 = ${d3}};
     return kFiles;
 }

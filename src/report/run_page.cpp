@@ -12,6 +12,7 @@
 #include "experiment/dictionary.h"
 #include "report/packed_run.h"
 #include "report/page_files.h"
+#include "report/page_template.h"
 
 namespace ink::report {
 namespace {
@@ -112,19 +113,6 @@ std::vector<std::string> labels_of(const std::vector<experiment::RunData>& runs)
 
 std::string title_of(const std::vector<std::string>& labels) {
     return fmt::format("Inkbench: {}", fmt::join(labels, ", "));
-}
-
-/// The template with each {{name}} replaced; one pass, so that no value is looked into.
-std::string filled(std::string_view page, const std::map<std::string, std::string>& values) {
-    std::string text;
-    while (true) {
-        const std::size_t open = page.find("{{");
-        const std::size_t close = page.find("}}", open);
-        text += page.substr(0, open);
-        if (open == std::string_view::npos || close == std::string_view::npos) return text;
-        text += values.at(std::string(page.substr(open + 2, close - open - 2)));
-        page.remove_prefix(close + 2);
-    }
 }
 
 }  // namespace

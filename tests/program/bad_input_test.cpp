@@ -288,6 +288,9 @@ TEST(BadName, TooLongForAFile) {
                              "figures {} --out out",
                              "export {} -o out",
                              "bake {}.glb -o out.glb",
+                             "page {} -o a.html",
+                             "page cube -o {}.html",
+                             "page cube --run {} -o a.html",
                              "timedemo {}",
                              "tune mote4 --scenes {}",
                              "entrant-test {}"})

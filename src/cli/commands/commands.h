@@ -25,6 +25,7 @@ namespace ink::cli {
     X(stress) \
     X(run) \
     X(report) \
+    X(page) \
     X(diff) \
     X(merge) \
     X(bound) \

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "cli/commands/commands.h"
+#include "cli/options/options.h"
+#include "cli/options/scene_options.h"
+#include "cli/place.h"
+#include "experiment/run_data.h"
+#include "report/live_page.h"
+
+namespace ink::cli {
+namespace {
+
+struct PageArgs {
+    SceneOptions scene;
+    ViewOptions views;
+    std::string run;
+    std::string file;
+};
+
+void run_page(const PageArgs& args) {
+    check_output_path(args.file, {".html"});
+    const std::string name = one_scene(args.scene, "page");
+    std::optional<experiment::RunData> run;
+    if (!args.run.empty()) run = experiment::read_run(args.run);
+    const harness::SceneViews scene_views =
+        harness::load_scenes({name}, view_request(args.views)).front();
+    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    report::write_live_page(scene_views, run, args.file);
+    fmt::print("{}\n", args.file);
+}
+
+}  // namespace
+
+void add_page_command(CLI::App& app) {
+    auto args = std::make_shared<PageArgs>();
+    auto* command = app.add_subcommand(
+        "page", "Make a page that draws a model with methods on the reader's own GPU");
+    add_one_scene_options(*command, args->scene);
+    command->add_option("-o,--output", args->file, "HTML file to write")
+        ->type_name("FILE")
+        ->required();
+    add_view_options(*command, args->views);
+    command
+        ->add_option("--run",
+                     args->run,
+                     "Folder of a run: the page shows what its methods scored at these views")
+        ->type_name("DIR");
+    command->footer(
+        "The page is one file and opens without a network, in any browser with WebGL 2. It has "
+        "the\n"
+        "model with the codes of the methods in it, and their shaders to copy.\n"
+        "Example: inkbench page torus -o try.html\n"
+        "Exit codes: 0 done, 2 bad input.");
+    command->callback([args] { run_page(*args); });
+}
+
+}  // namespace ink::cli

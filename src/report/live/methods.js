@@ -1,0 +1,20 @@
+// The methods that the page draws. Each has its shader's file; here stands what a file cannot say.
+
+/// `targets`: formats of the textures that the mesh is drawn into. `reads`: arrays of the mesh by the names
+/// that the shader has for them. `hasCorners`: samples are corners of pixels. `passes`: how often the mesh is
+/// drawn, with which uniforms and faces; once, both sides, unless it says otherwise.
+const METHODS = {
+    surface8: {targets: ['R8UI'], reads: {_ink: 'surface8'}, hasCorners: true},
+    surface8_depth: {targets: ['R8UI', 'R32UI'], reads: {_ink: 'surface8'}, hasCorners: true},
+    label8: {targets: ['R8UI'], reads: {_ink: 'label8'}, hasCorners: true},
+    ids: {targets: ['RG32UI'], reads: {id: 'id'}},
+    roberts: {targets: ['RGBA32UI'], reads: {normal: 'normal'}},
+    decaudin: {targets: ['RGBA32UI'], reads: {normal: 'normal'}},
+    mote4: {targets: ['R8UI'], reads: {normal: 'normal'}},
+    inverted_hull: {
+        targets: ['R8UI'],
+        reads: {normal: 'hull_normal'},
+        passes: [{hides: 'BACK', widthPx: 0, ink: 0}, {hides: 'FRONT', widthPx: 2, ink: 1}],
+    },
+};
+const METHOD_NAMES = Object.keys(METHODS);

@@ -1,0 +1,221 @@
+// Draws with WebGL 2: the lines of a method into a texture, and parts of the picture from them.
+
+const FORMATS = {
+    R8UI: gl => [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE],
+    R32UI: gl => [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT],
+    RG32UI: gl => [gl.RG32UI, gl.RG_INTEGER, gl.UNSIGNED_INT],
+    RGBA32UI: gl => [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
+    R8: gl => [gl.R8, gl.RED, gl.UNSIGNED_BYTE],
+    RGBA8: gl => [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE],
+};
+
+class Renderer {
+    /// Throws an Error with a sentence where there is no WebGL 2.
+    constructor(canvas, mesh) {
+        const gl = canvas.getContext('webgl2', {antialias: false, depth: false, alpha: false});
+        if (!gl) throw new Error('This browser gives the page no WebGL 2, by which it draws.');
+        this.gl = gl;
+        this.targets = new Map();
+        this.programs = new Map();
+        this.layouts = new Map();
+        this.buffers = Object.fromEntries(Object.entries(mesh).map(([name, values]) => {
+            const kind = name === 'indices' ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
+            const buffer = gl.createBuffer();
+            gl.bindBuffer(kind, buffer);
+            gl.bufferData(kind, values, gl.STATIC_DRAW);
+            return [name, buffer];
+        }));
+        this.empty = gl.createVertexArray();
+        const clip = gl.getExtension('EXT_clip_control');
+        this.isReversed = clip !== null;
+        if (clip) clip.clipControlEXT(clip.LOWER_LEFT_EXT, clip.ZERO_TO_ONE_EXT);
+        gl.disable(gl.DITHER);
+        gl.disable(gl.BLEND);
+    }
+
+    /// What the browser says that draws.
+    get name() {
+        const {gl} = this;
+        const info = gl.getExtension('WEBGL_debug_renderer_info');
+        return String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    }
+
+    get mostPx() {
+        const {gl} = this;
+        return Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), gl.getParameter(gl.MAX_RENDERBUFFER_SIZE),
+            ...gl.getParameter(gl.MAX_VIEWPORT_DIMS)) - 1;
+    }
+
+    program(name, vertex, fragment) {
+        const key = `${name} ${vertex} ${fragment}`;
+        if (!this.programs.has(key))
+            this.programs.set(key, programOf(this.gl, SHADERS[name][vertex], SHADERS[name][fragment]));
+        return this.programs.get(key);
+    }
+
+    /// The mesh laid out for a program, by the names that it has for its arrays.
+    layout(name, {program}, reads) {
+        if (this.layouts.has(name)) return this.layouts.get(name);
+        const {gl, buffers} = this;
+        const layout = gl.createVertexArray();
+        gl.bindVertexArray(layout);
+        for (const [attribute, array] of Object.entries({position: 'position', ...reads})) {
+            const place = gl.getAttribLocation(program, attribute);
+            gl.bindBuffer(gl.ARRAY_BUFFER, buffers[array]);
+            gl.enableVertexAttribArray(place);
+            if (array === 'position') gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 12, 0);
+            else if (array === 'id') gl.vertexAttribIPointer(place, 1, gl.UNSIGNED_INT, 4, 0);
+            else if (array.endsWith('normal')) gl.vertexAttribPointer(place, 3, gl.SHORT, true, 8, 0);
+            else gl.vertexAttribPointer(place, 1, gl.UNSIGNED_BYTE, false, 1, 0);
+        }
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers.indices);
+        this.layouts.set(name, layout);
+        return layout;
+    }
+
+    /// Textures of these formats to draw into; the same for the same words.
+    target(use, formats, width, height, hasDepth) {
+        const key = [use, formats, width, height].join();
+        if (this.targets.has(key)) return this.targets.get(key);
+        const {gl} = this;
+        const frame = gl.createFramebuffer();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+        const textures = formats.map((format, i) => {
+            const texture = gl.createTexture();
+            gl.bindTexture(gl.TEXTURE_2D, texture);
+            gl.texStorage2D(gl.TEXTURE_2D, 1, FORMATS[format](gl)[0], width, height);
+            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0);
+            return texture;
+        });
+        gl.drawBuffers(formats.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+        const depth = hasDepth ? gl.createRenderbuffer() : null;
+        if (depth) {
+            gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+            gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
+            gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+        }
+        if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost())
+            throw new Error(`${formats.join(' + ')} of ${width} x ${height} is no target that this GPU draws into.`);
+        const target = {frame, textures, depth, formats, width, height};
+        this.targets.set(key, target);
+        return target;
+    }
+
+    forgetTargets() {
+        const {gl} = this;
+        for (const {frame, textures, depth} of this.targets.values()) {
+            gl.deleteFramebuffer(frame);
+            textures.forEach(texture => gl.deleteTexture(texture));
+            gl.deleteRenderbuffer(depth);
+        }
+        this.targets.clear();
+    }
+
+    /// Draws the mesh into a cleared target, one time per pass.
+    drawMesh(name, reads, target, values, passes = [{}]) {
+        const {gl} = this;
+        const program = this.program(name, 'vertex', 'fragment');
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+        gl.viewport(0, 0, target.width, target.height);
+        target.formats.forEach((format, i) => {
+            if (format.endsWith('UI')) gl.clearBufferuiv(gl.COLOR, i, [0, 0, 0, 0]);
+            else gl.clearBufferfv(gl.COLOR, i, [1, 1, 1, 1]);
+        });
+        gl.clearBufferfv(gl.DEPTH, 0, [this.isReversed ? 0 : 1]);
+        gl.enable(gl.DEPTH_TEST);
+        gl.depthFunc(this.isReversed ? gl.GREATER : gl.LESS);
+        gl.bindVertexArray(this.layout(name, program, reads));
+        gl.useProgram(program.program);
+        for (const pass of passes) {
+            if (pass.hides) gl.enable(gl.CULL_FACE);
+            if (pass.hides) gl.cullFace(gl[pass.hides]);
+            setUniforms(gl, program, {...values, ...pass});
+            gl.drawElements(gl.TRIANGLES, 3 * DATA.triangle_count, gl.UNSIGNED_INT, 0);
+        }
+        gl.disable(gl.CULL_FACE);
+        gl.disable(gl.DEPTH_TEST);
+    }
+
+    /// Draws a triangle over what is bound, with textures by the names of their uniforms.
+    drawScreen(name, textures, values) {
+        const {gl} = this;
+        const program = this.program(name, 'screen', 'lines');
+        gl.useProgram(program.program);
+        const units = Object.fromEntries(Object.keys(textures).map((key, unit) => [key, unit]));
+        Object.values(textures).forEach((texture, unit) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(gl.TEXTURE_2D, texture);
+        });
+        setUniforms(gl, program, {...values, ...units});
+        gl.bindVertexArray(this.empty);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        // What is drawn into next must not be read.
+        Object.keys(textures).forEach((_, unit) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(gl.TEXTURE_2D, null);
+        });
+    }
+
+    /// The lines of a method as a texture, 1 in its pixels. `use` tells apart what is needed at one time.
+    drawLines(name, camera, width, height, use = '') {
+        const {gl} = this;
+        const {targets, reads, hasCorners, passes} = METHODS[name];
+        const more = hasCorners ? 1 : 0;
+        const matrices = matricesOf(camera, width, height, this.isReversed);
+        const values = {...matrices, cameraProjection: matrices.projectionMatrix, size: [width, height]};
+        const codes = this.target('codes', targets, width + more, height + more, true);
+        this.drawMesh(name, reads, codes, values, passes);
+        const lines = this.target(`lines ${use}`, ['R8'], width, height, false);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, lines.frame);
+        gl.viewport(0, 0, width, height);
+        this.drawScreen(name, {codes: codes.textures[0], depths: codes.textures[1] || null}, values);
+        return lines;
+    }
+
+    drawFill(camera, width, height) {
+        const fill = this.target('fill', ['RGBA8'], width, height, true);
+        this.drawMesh('fill', {normal: 'normal'}, fill, matricesOf(camera, width, height, this.isReversed));
+        return fill;
+    }
+
+    /// Puts a part of the picture on the canvas: `part` and `seen` are {x, y, width, height} from below, and of
+    /// the part only what is in `seen` is drawn.
+    show(fill, lines, part, seen, looks) {
+        const {gl} = this;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.viewport(part.x, part.y, part.width, part.height);
+        gl.enable(gl.SCISSOR_TEST);
+        gl.scissor(seen.x, seen.y, seen.width, seen.height);
+        this.drawScreen('screen', {fill: fill.textures[0], mask: lines.textures[0]},
+            {...looks, origin: [part.x, part.y], size: [part.width, part.height]});
+        gl.disable(gl.SCISSOR_TEST);
+    }
+
+    /// White paper.
+    clear() {
+        const {gl} = this;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.clearBufferfv(gl.COLOR, 0, [1, 1, 1, 1]);
+    }
+
+    /// Waits until all is drawn.
+    finish(target) {
+        const {gl} = this;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    }
+
+    /// A byte a pixel from the top, of its red.
+    bytesOf({frame, width, height}, byteOf) {
+        const {gl} = this;
+        const read = new Uint8Array(4 * width * height);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, read);
+        const bytes = new Uint8Array(width * height);
+        for (let y = 0; y < height; ++y)
+            for (let x = 0; x < width; ++x) bytes[(height - 1 - y) * width + x] = byteOf(read[4 * (y * width + x)]);
+        return bytes;
+    }
+}

@@ -1,0 +1,128 @@
+// The picture: two methods under one divider, or all of them side by side, and their labels over it.
+
+/// The size that the page was made for.
+const ASKED_SIZE = [DATA.views[0].width_px, DATA.views[0].height_px];
+
+/// What the reader has chosen. `view` is the name of a view, '' once the camera was moved; `size` null is as
+/// large as the picture stands on the screen.
+const state = {
+    left: 'surface8', right: 'mote4', layout: 'two', cut: 0.5, view: DATA.views[0].name,
+    size: null, lineWidthPx: 1, colour: '#000000',
+    hasFill: true, hasLines: true, theme: 'auto', times: {},
+};
+let camera = cameraOfView(DATA.views[0]);
+let renderer = null;
+
+const canvas = element('canvas', {class: 'live', tabindex: 0, role: 'img',
+    'aria-label': `${DATA.scene}, drawn: drag or arrow keys turn it, wheel or + and - zoom, Shift moves it`});
+const divider = element('div', {class: 'divider', role: 'slider', tabindex: 0, 'aria-label': 'Divider',
+    'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-orientation': 'horizontal'});
+const labels = element('div', {class: 'labels', 'aria-hidden': 'true'});
+const frame = element('div', {class: 'live-frame'}, canvas, labels, divider);
+
+function scoreOf(method) {
+    return DATA.scores?.[state.view]?.[method];
+}
+
+/// "#rrggbb" as three numbers of 0..1.
+function rgbOf(hex) {
+    return [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
+}
+
+/// The size to draw in, px.
+function drawnSize() {
+    if (state.size) return state.size;
+    const width = Math.max(64, Math.min(Math.round(frame.clientWidth * devicePixelRatio), renderer.mostPx));
+    return [width, Math.max(1, Math.round(width * ASKED_SIZE[1] / ASKED_SIZE[0]))];
+}
+
+/// The parts of the picture, and of each what is seen of it, from the lower left corner; and the size of all.
+function partsOfPicture() {
+    const [width, height] = drawnSize();
+    if (state.layout === 'two') {
+        const part = {x: 0, y: 0, width, height};
+        const cut = Math.round(state.cut * width);
+        return {width, height, parts: [
+            {method: state.left, part, seen: {...part, width: cut}},
+            {method: state.right, part, seen: {...part, x: cut, width: width - cut}}]};
+    }
+    const across = innerWidth < 720 ? 2 : 4;
+    const down = Math.ceil(METHOD_NAMES.length / across);
+    const [w, h] = [Math.max(1, Math.floor(width / across)), Math.max(1, Math.floor(height / across))];
+    const band = Math.round(26 * width / Math.max(1, frame.clientWidth)); // for a label over each
+    return {width: w * across, height: (h + band) * down, parts: METHOD_NAMES.map((method, i) => {
+        const part = {x: w * (i % across), y: (h + band) * (down - 1 - Math.floor(i / across)), width: w, height: h};
+        return {method, part, seen: part, top: part.y + h + band};
+    })};
+}
+
+function labelOf(method) {
+    const score = scoreOf(method);
+    const ms = state.times[method];
+    return element('span', {}, element('b', {}, method), score === undefined ? '' : ` F ${score.toFixed(3)}`,
+        ms === undefined ? '' : ` ${ms.toPrecision(3)} ms`);
+}
+
+function placeLabels({width, height, parts}) {
+    labels.replaceChildren(...parts.map(({method, part, top = height}, i) => {
+        const label = labelOf(method);
+        const isRight = state.layout === 'two' && i === 1;
+        label.style[isRight ? 'right' : 'left'] = `${isRight ? 0 : 100 * part.x / width}%`;
+        label.style.top = `${100 * (1 - top / height)}%`;
+        return label;
+    }));
+    divider.hidden = state.layout !== 'two';
+    divider.style.left = `${100 * state.cut}%`;
+    divider.setAttribute('aria-valuenow', Math.round(100 * state.cut));
+    divider.setAttribute('aria-valuetext', `${state.left} left of ${Math.round(100 * state.cut)} %, ${state.right} right of it`);
+}
+
+let shownSize = '';
+
+function drawPicture() {
+    const picture = partsOfPicture();
+    const {width, height, parts} = picture;
+    const sizes = [width, height, parts[0].part.width].join();
+    if (sizes !== shownSize) {
+        renderer.forgetTargets();
+        [canvas.width, canvas.height] = [width, height];
+        frame.style.setProperty('--aspect', width / height);
+        shownSize = sizes;
+    }
+    const looks = {lineWidthPx: state.lineWidthPx, lineColor: rgbOf(state.colour), hasFill: Number(state.hasFill),
+        hasLines: Number(state.hasLines)};
+    const {width: w, height: h} = parts[0].part;
+    renderer.clear();
+    const fill = renderer.drawFill(camera, w, h);
+    for (const {method, part, seen} of parts)
+        if (seen.width > 0) renderer.show(fill, renderer.drawLines(method, camera, w, h), part, seen, looks);
+    placeLabels(picture);
+}
+
+let isAsked = false;
+
+/// Draws the picture in the browser's next frame, once however often it is asked for.
+function redraw() {
+    if (isAsked) return;
+    isAsked = true;
+    requestAnimationFrame(() => {
+        isAsked = false;
+        attempt(drawPicture);
+    });
+}
+
+/// Calls it; what it throws is shown to the reader.
+function attempt(call) {
+    try {
+        return call();
+    } catch (error) {
+        showTrouble(error.message);
+        return null;
+    }
+}
+
+function showTrouble(text) {
+    const box = document.getElementById('trouble');
+    box.textContent = text;
+    box.hidden = !text;
+}

@@ -1,0 +1,165 @@
+#include "report/live_page.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "bake/coded_mesh.h"
+#include "core/base64.h"
+#include "core/error.h"
+#include "core/escape.h"
+#include "core/provenance.h"
+#include "core/whole_file.h"
+#include "report/packed_run.h"
+#include "report/page_files.h"
+#include "report/page_template.h"
+
+namespace ink::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bytes of the mesh in one element of the page, a multiple of 3; browsers limit a text's length.
+constexpr std::size_t kPart_bytes = 24'000'000;
+
+template <class T>
+void append(std::vector<std::uint8_t>& bytes, std::span<const T> values) {
+    const std::size_t at = bytes.size();
+    bytes.resize(at + values.size_bytes());
+    std::memcpy(bytes.data() + at, values.data(), values.size_bytes());
+}
+
+/// Unit vectors as 16-bit numbers, 32767 for 1, a fourth one after each.
+std::vector<std::int16_t> packed_normals(std::span<const glm::vec3> normals) {
+    std::vector<std::int16_t> packed;
+    packed.reserve(4 * normals.size());
+    for (const glm::vec3& n : normals) {
+        for (int i = 0; i < 3; ++i)
+            packed.push_back(static_cast<std::int16_t>(std::lround(n[i] * 32767)));
+        packed.push_back(0);
+    }
+    return packed;
+}
+
+/// All arrays of a mesh in a row, little-endian, as live/mesh.js takes them apart.
+std::vector<std::uint8_t> mesh_bytes(const bake::CodedMesh& mesh) {
+    std::vector<std::uint8_t> bytes;
+    append(bytes, std::span(mesh.p_world));
+    append<std::int16_t>(bytes, packed_normals(mesh.n_world));
+    append<std::int16_t>(bytes, packed_normals(mesh.hull_n_world));
+    append(bytes, std::span(mesh.id));
+    append(bytes, std::span(mesh.indices));
+    append(bytes, std::span(mesh.surface8));
+    append(bytes, std::span(mesh.label8));
+    return bytes;
+}
+
+std::string mesh_elements(const std::vector<std::uint8_t>& bytes) {
+    std::string text;
+    for (std::size_t at = 0; at < bytes.size(); at += kPart_bytes) {
+        const std::size_t count = std::min(kPart_bytes, bytes.size() - at);
+        text += "<script type=\"text/plain\" class=\"mesh\">";
+        text += core::base64(std::as_bytes(std::span(bytes).subspan(at, count)));
+        text += "</script>\n";
+    }
+    return text;
+}
+
+Json point(const glm::dvec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+Json view_json(const scene::View& view) {
+    const scene::Camera& camera = view.camera;
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row)
+        rows.push_back({camera.view_from_world[0][row],
+                        camera.view_from_world[1][row],
+                        camera.view_from_world[2][row]});
+    return {{"name", camera.name},
+            {"width_px", view.width_px},
+            {"height_px", view.height_px},
+            {"eye", point(camera.eye_world)},
+            {"view_from_world", rows},
+            {"fov_y_rad", camera.fov_y_rad},
+            {"height_world", camera.height_world},
+            {"near", camera.near},
+            {"far", camera.far}};
+}
+
+/// F by view and method, of the run's rows of that scene.
+Json scores_json(const experiment::RunData& run, const harness::SceneViews& scene_views) {
+    Json scores = Json::object();
+    for (const harness::Row& row : run.tables.rows) {
+        if (row.scene != scene_views.scene.name || !row.f_2px) continue;
+        Json& of_view = scores[row.view];
+        if (!of_view.contains(row.method)) of_view[row.method] = *row.f_2px;
+    }
+    return scores;
+}
+
+Json data_json(const harness::SceneViews& scene_views,
+               const bake::CodedMesh& mesh,
+               const std::optional<experiment::RunData>& run) {
+    const scene::Sphere bounds = scene::bounding_sphere(scene_views.scene);
+    Json views = Json::array();
+    for (const scene::View& view : scene_views.views)
+        views.push_back(view_json(view));
+    Json data = {{"version", core::provenance().version},
+                 {"scene", scene_views.scene.name},
+                 {"origin", point(scene_views.scene.origin)},
+                 {"triangle_count", mesh.triangle_count()},
+                 {"vertex_count", mesh.vertex_count()},
+                 {"added_count", mesh.added_count},
+                 {"center", point(bounds.center_world)},
+                 {"radius", bounds.radius},
+                 {"views", views}};
+    if (run) {
+        data["run"] = run->record.name.empty() ? run->folder.string() : run->record.name;
+        data["scores"] = scores_json(*run, scene_views);
+    }
+    return data;
+}
+
+void check_size(const scene::Scene& scene) {
+    const std::size_t count = scene::triangle_count(scene);
+    if (count == 0)
+        throw core::Error(scene.name, "there is nothing to draw: it has no triangle", "a surface");
+    if (count > kMostLiveTriangles)
+        throw core::Error(scene.name,
+                          fmt::format("{} triangles are too many for a page", count),
+                          fmt::format("at most {}", kMostLiveTriangles));
+}
+
+}  // namespace
+
+std::string live_page(const harness::SceneViews& scene_views,
+                      const std::optional<experiment::RunData>& run) {
+    check_size(scene_views.scene);
+    const bake::CodedMesh mesh = bake::coded_mesh(scene_views.scene);
+    // A name may hold "</script>", and "<" stands in JSON's texts alone.
+    std::string data =
+        data_json(scene_views, mesh, run).dump(-1, ' ', false, Json::error_handler_t::replace);
+    for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
+        data.replace(at, 1, "\\u003c");
+    return filled(live_files().index,
+                  {{"title", core::escape("Inkbench: " + scene_views.scene.name)},
+                   {"style", std::string(live_files().style)},
+                   {"scripts", std::string(live_files().scripts)},
+                   {"shaders", std::string(live_files().shaders)},
+                   {"mesh", mesh_elements(mesh_bytes(mesh))},
+                   {"data", data}});
+}
+
+void write_live_page(const harness::SceneViews& scene_views,
+                     const std::optional<experiment::RunData>& run,
+                     const std::filesystem::path& file) {
+    core::write_whole_file(file, live_page(scene_views, run));
+}
+
+}  // namespace ink::report

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "experiment/run_data.h"
+#include "harness/suite.h"
+
+namespace ink::report {
+
+/// The largest scene that a live page takes: it holds the mesh as text, and browsers hold that
+/// twice while they read it.
+inline constexpr std::size_t kMostLiveTriangles = 8'000'000;
+
+/// The page that draws a scene on the reader's own GPU with the methods' shaders, side by side: one
+/// HTML file that needs no other and no network.
+///
+/// It holds the scene as it stands, with the codes that methods draw at default parameters
+/// (bake/coded_mesh.h), and its views. With a run, it shows each method's F at each of its views
+/// that the run has of a scene of that name. What it shows is drawn by its own scripts (live/).
+/// Throws core::Error (where = the scene) for a scene without triangles, or of more than
+/// kMostLiveTriangles.
+[[nodiscard]] std::string live_page(const harness::SceneViews& scene_views,
+                                    const std::optional<experiment::RunData>& run);
+
+/// Writes live_page() to `file`, whole or not at all. Throws core::Error if it cannot be written.
+void write_live_page(const harness::SceneViews& scene_views,
+                     const std::optional<experiment::RunData>& run,
+                     const std::filesystem::path& file);
+
+}  // namespace ink::report

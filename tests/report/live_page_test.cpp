@@ -1,0 +1,101 @@
+#include "report/live_page.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "catalogue/catalogue.h"
+#include "core/error.h"
+#include "tests/report/made_up_rows.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+harness::SceneViews cube_views() {
+    harness::SceneViews views{scene::scene_of({scene::unit_cube()}), {}};
+    views.scene.name = "</script><b>";
+    scene::View view{scene::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.7), 320, 180};
+    view.camera.name = "front";
+    views.views = {view};
+    return views;
+}
+
+nlohmann::json data_of(const std::string& page) {
+    constexpr std::string_view kBegin = "<script type=\"application/json\" id=\"data\">";
+    const std::size_t begin = page.find(kBegin) + kBegin.size();
+    return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(LivePage, HoldsTheMeshItsViewsAndTheShaders) {
+    const std::string page = live_page(cube_views(), std::nullopt);
+    const nlohmann::json data = data_of(page);
+    EXPECT_EQ(data["scene"], "</script><b>");
+    EXPECT_EQ(data["triangle_count"], 12);
+    EXPECT_EQ(data["views"][0]["name"], "front");
+    EXPECT_EQ(data["views"][0]["width_px"], 320);
+    EXPECT_FALSE(data.contains("scores"));
+    for (const char* name : {"surface8",
+                             "surface8_depth",
+                             "label8",
+                             "ids",
+                             "roberts",
+                             "decaudin",
+                             "mote4",
+                             "inverted_hull",
+                             "fill",
+                             "screen"})
+        EXPECT_THAT(page, HasSubstr(std::string("//// method ") + name + "\n"));
+    EXPECT_THAT(page, Not(HasSubstr("{{")));
+    EXPECT_THAT(page, Not(HasSubstr("http://")));
+    EXPECT_THAT(page, Not(HasSubstr("https://")));
+    // Floats, two normals, an id and two codes a vertex, and the indices, in base64.
+    const std::size_t bytes = data["vertex_count"].get<std::size_t>() * (12 + 8 + 8 + 4 + 2) + 144;
+    const std::size_t begin = page.find("class=\"mesh\">") + std::string("class=\"mesh\">").size();
+    EXPECT_EQ(page.find("</script>", begin) - begin, (bytes + 2) / 3 * 4);
+}
+
+TEST(LivePage, ShowsWhatTheRunScoredAtTheViewsOfThatScene) {
+    experiment::RunData run;
+    run.record.name = "made up";
+    for (const char* scene : {"</script><b>", "another"}) {
+        harness::Row row = made_up_row("ids", 0.8, 2);
+        row.scene = scene;
+        row.view = "front";
+        run.tables.rows.push_back(row);
+    }
+    run.tables.rows.back().f_2px = 0.1;
+    const nlohmann::json data = data_of(live_page(cube_views(), run));
+    EXPECT_EQ(data["run"], "made up");
+    EXPECT_EQ(data["scores"].size(), 1U);
+    EXPECT_EQ(data["scores"]["front"]["ids"], *run.tables.rows.front().f_2px);
+}
+
+TEST(LivePage, OfNothingIsRefusedInALine) {
+    harness::SceneViews nothing = cube_views();
+    nothing.scene.instances.clear();
+    try {
+        (void)live_page(nothing, std::nullopt);
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("no triangle"));
+    }
+}
+
+TEST(LivePage, OfTooManyTrianglesIsRefusedInALine) {
+    harness::SceneViews crowd = cube_views();
+    crowd.scene.instances.resize(kMostLiveTriangles / 12 + 1, crowd.scene.instances.front());
+    try {
+        (void)live_page(crowd, std::nullopt);
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("8000004 triangles"));
+        EXPECT_THAT(error.what(), HasSubstr("8000000"));
+    }
+}
+
+}  // namespace
+}  // namespace ink::report
