@@ -47,11 +47,11 @@ def inkbench(*words, codes=(0,)):
     return done.stdout
 
 
-def open_browser(folder):
+def open_browser(folder, switches=("--disable-gpu",)):
     options = Options()
     options.binary_location = CHROMIUM
-    for switch in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                   "--no-first-run", "--disable-background-networking", "--disable-sync",
+    for switch in ("--headless=new", "--no-sandbox", *switches, "--disable-dev-shm-usage", "--no-first-run",
+                   "--disable-background-networking", "--disable-sync",
                    "--hide-scrollbars", "--window-size=1280,900", f"--user-data-dir={folder}/profile"):
         options.add_argument(switch)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
@@ -61,12 +61,15 @@ def open_browser(folder):
 class BrowserTest(unittest.TestCase):
     """A browser and a folder per class; after each test the console must have been silent."""
 
+    switches = ("--disable-gpu",)
+    harmless = ()  # what messages of the console may hold
+
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="inkbench-page-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
         cls.make_runs()
-        cls.browser = open_browser(cls.folder)
+        cls.browser = open_browser(cls.folder, cls.switches)
         cls.addClassCleanup(cls.browser.quit)
 
     @classmethod
@@ -94,7 +97,8 @@ class BrowserTest(unittest.TestCase):
 
     def tearDown(self):
         said = [entry["message"] for entry in self.browser.get_log("browser")
-                if entry["level"] in ("SEVERE", "WARNING")]
+                if entry["level"] in ("SEVERE", "WARNING")
+                and not any(words in entry["message"] for words in self.harmless)]
         self.assertEqual(said, [], "the console is not silent")
 
     def script(self, text, *arguments):

@@ -18,7 +18,7 @@ window.controlsBelow = selector => {
 return controlsBelow(arguments[0]).map(({node, kind, name}) => ({kind, name, choices:
     kind === 'select' ? [...node.options].filter(option => !option.selected).map(option => option.value)
     : kind === 'range' ? [node.min, String(Math.round(Number(node.max) / 3)), node.max]
-    : kind === 'search' ? ['cube', ''] : [null]}));
+    : kind === 'search' ? ['cube', ''] : kind === 'color' ? ['#0044cc'] : [null]}));
 """
 
 # Works one control; false if it is not there, as a choice before may have taken it away.

@@ -1,0 +1,258 @@
+"""The page that draws a model, as a reader works it: every control, what it draws, themes, widths; and what
+programs call in it. Its lines must be those of the program's methods."""
+
+import base64
+import io
+import sys
+import unittest
+from pathlib import Path
+
+from access import faults
+from browser import BrowserTest, Keys, inkbench, skip, webdriver
+from controls import controls, work
+
+try:
+    import numpy
+    from PIL import Image
+except ImportError:
+    skip("python3-numpy or python3-pil is not installed")
+
+ROOT = Path(__file__).resolve().parents[2]
+SIZE = (320, 180)
+# The thresholds of the program's methods; 128 for what is not here.
+THRESHOLDS = {"roberts": 74, "decaudin": 146, "mote4": 6}
+MOST_SHADER_LINES = 60
+# SwiftShader snaps vertices to 1/16 px and the program to 1/256 px: so much of the lines is the same.
+LEAST_EQUAL = 0.95
+
+
+class LiveTest(BrowserTest):
+    switches = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+    harmless = ("GPU stall due to ReadPixels",)
+
+    @classmethod
+    def make_runs(cls):
+        size = "x".join(map(str, SIZE))
+        inkbench("compare", "--scenes", "blocks", "--methods", "surface8,ids", "--size", size, "--views", "2",
+                 "--repetitions", "1", "--no-sweep", "--no-crosscheck", "--out", cls.folder / "run")
+        cls.page = cls.folder / "blocks.html"
+        inkbench("page", "blocks", "--size", size, "--views", "2", "--run", cls.folder / "run", "-o", cls.page)
+        cls.parallel = cls.folder / "parallel.html"
+        inkbench("page", "torus", "--size", size, "--views", "iso,front", "-o", cls.parallel)
+
+    def open_live(self, file=None):
+        self.open(file or self.page)
+        self.script("window.copied = []; Object.defineProperty(navigator, 'clipboard', {configurable: true, "
+                    "value: {writeText: async text => { copied.push(text); }}})")
+        self.settle()
+
+    def settle(self):
+        self.browser.execute_async_script(
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60)))")
+        self.assertEqual(self.script("return document.getElementById('trouble').textContent"), "")
+
+    def picture(self):
+        """The canvas as it is seen, as an array of (height, width, 3)."""
+        box = self.script("const b = canvas.getBoundingClientRect();"
+                          "return {x: b.left + scrollX, y: b.top + scrollY, width: b.width, height: b.height, scale: 1}")
+        png = self.browser.execute_cdp_cmd("Page.captureScreenshot", {
+            "format": "png", "clip": box, "captureBeyondViewport": True})["data"]
+        return numpy.asarray(Image.open(io.BytesIO(base64.b64decode(png))).convert("RGB")).astype(int)
+
+    def ink(self, colour=(0, 0, 0)):
+        """Pixels near a colour left and right of the middle, without labels and divider."""
+        picture = self.picture()
+        height, width = picture.shape[:2]
+        is_ink = numpy.abs(picture - colour).sum(axis=2) < 150
+        is_ink[:height // 8] = False
+        return int(is_ink[:, :width // 2 - 20].sum()), int(is_ink[:, width // 2 + 20:].sum())
+
+    def drawn(self, method, view="view0"):
+        text = self.script("const bytes = inkbench.draw({method: arguments[0], width: arguments[1], height: arguments[2],"
+                           "view: arguments[3]}); return Array.from(bytes)", method, *SIZE, view)
+        return numpy.array(text, numpy.uint8).reshape(SIZE[1], SIZE[0]) > 0
+
+    # ---- What it draws -----------------------------------------------------------------------
+
+    def test_lines_are_those_of_the_program(self):
+        cases = [(self.page, "blocks", ["--views", "2"], "view1"), (self.parallel, "torus", ["--views", "iso,front"], "iso")]
+        for page, scene, more, view in cases:
+            self.open_live(page)
+            for method in self.script("return inkbench.methods"):
+                file = self.folder / "ours.png"
+                inkbench("draw", scene, "--method", method, "--response", "-o", file, "--view", view, *more,
+                         "--size", "x".join(map(str, SIZE)))
+                ours = numpy.asarray(Image.open(file).convert("L")) >= THRESHOLDS.get(method, 128)
+                theirs = self.drawn(method, view)
+                self.assertGreater(ours.sum(), 200, method)
+                equal = 1 - (ours != theirs).sum() / (2 * ours.sum())
+                self.assertGreater(equal, LEAST_EQUAL, f"{method} of {scene}")
+
+    def test_a_browser_without_clip_control_draws_the_same(self):
+        self.open_live()
+        self.assertEqual(self.script("return renderer.isReversed"), True)
+        before = {method: self.drawn(method) for method in self.script("return inkbench.methods")}
+        source = ("const get = WebGL2RenderingContext.prototype.getExtension; WebGL2RenderingContext.prototype.getExtension ="
+                  " function(name) { return name === 'EXT_clip_control' ? null : get.call(this, name); };")
+        added = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": source})
+        try:
+            self.open_live()
+            self.assertEqual(self.script("return renderer.isReversed"), False)
+            for method, lines in before.items():
+                self.assertLess((self.drawn(method) != lines).sum(), 0.01 * lines.sum(), method)
+        finally:
+            self.browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+
+    def test_a_browser_without_webgl_says_so(self):
+        source = "HTMLCanvasElement.prototype.getContext = () => null;"
+        added = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": source})
+        try:
+            self.open(self.page)
+            self.assertIn("no WebGL 2", self.find("#trouble").text)
+            self.assertEqual(self.find_all("canvas"), [])
+        finally:
+            self.browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+
+    def test_each_shader_is_short_and_what_is_copied(self):
+        self.open_live()
+        for method in self.script("return inkbench.methods"):
+            text = (ROOT / "methods" / method / f"{method}.glsl").read_text()
+            self.assertLessEqual(len(text.splitlines()), MOST_SHADER_LINES, method)
+            self.assertEqual(self.script("return SHADERS[arguments[0]].text", method), text)
+            self.script("choose({left: arguments[0]})", method)
+            self.script("[...document.querySelectorAll('#methods button')].find(b => b.textContent.startsWith('Copy')).click()")
+            self.wait(lambda text=text: self.script("return copied.at(-1)") == text)
+
+    def test_covered_pixels_and_bad_words(self):
+        self.open_live()
+        share = self.script("const bytes = inkbench.cover({width: 64, height: 36, view: 'view0'});"
+                            "return bytes.filter(b => b === 255).length / bytes.length")
+        self.assertTrue(0.05 < share < 0.9, share)
+        for asked, words in (("{method: 'nothing', width: 8, height: 8, view: 'view0'}", "no method is called nothing"),
+                             ("{method: 'ids', width: 8, height: 8, view: 'below'}", "no view is called below"),
+                             ("{method: 'ids', width: 0, height: 8, view: 'view0'}", "no size: 0 x 8")):
+            said = self.script(f"try {{ inkbench.draw({asked}); return ''; }} catch (error) {{ return error.message; }}")
+            self.assertIn(words, said)
+
+    # ---- Controls ------------------------------------------------------------------------------
+
+    def test_every_control_leaves_lines_on_both_sides(self):
+        self.open_live()
+        worked = 0
+        for root in ("#methods", "#controls"):
+            for control in controls(self.browser, root):
+                if "Copy" in control["name"] or "Measure" in control["name"]:
+                    continue
+                for choice in control["choices"]:
+                    if choice and "3840" in choice:
+                        continue  # slow on software; a test of its own
+                    self.assertTrue(work(self.browser, root, control, choice), control["name"])
+                    self.settle()
+                    worked += 1
+                    if "Lines" in control["name"]:
+                        self.assertEqual(self.ink(), (0, 0))
+                    else:
+                        colour = (0, 68, 204) if control["kind"] == "color" else (0, 0, 0)
+                        left, right = self.ink(colour)
+                        self.assertGreater(min(left, right), 60, f"{control['name']} {choice}: {left}, {right}")
+                self.open_live()
+                controls(self.browser, root)  # a new page knows none yet
+        self.assertGreater(worked, 30)
+
+    def test_sizes_up_to_4k(self):
+        self.open_live()
+        self.script("choose({size: [3840, 2160]})")
+        self.settle()
+        self.assertEqual(self.script("return [canvas.width, canvas.height]"), [3840, 2160])
+        self.assertGreater(self.script("return inkbench.draw({method: 'surface8', width: 3840, height: 2160, view: 'view0'})"
+                                       ".filter(b => b === 255).length"), 5000)
+
+    def test_wider_lines_are_wider(self):
+        self.open_live()
+        self.script("choose({hasFill: false})")
+        self.settle()
+        thin = sum(self.ink())
+        self.script("choose({lineWidthPx: 4})")
+        self.settle()
+        self.assertGreater(sum(self.ink()), 2 * thin)
+
+    def test_the_divider_moves_by_keys_and_pointer(self):
+        self.open_live()
+        divider = self.find(".divider")
+        divider.send_keys(Keys.HOME)
+        self.assertEqual(self.script("return state.cut"), 0)
+        divider.send_keys(Keys.END, Keys.ARROW_LEFT)
+        self.assertAlmostEqual(self.script("return state.cut"), 0.98)
+        divider.send_keys(Keys.HOME, *[Keys.PAGE_UP] * 5)
+        width = self.find("canvas").size["width"]
+        webdriver.ActionChains(self.browser).drag_and_drop_by_offset(divider, -round(0.25 * width), 0).perform()
+        self.assertAlmostEqual(self.script("return state.cut"), 0.25, delta=0.02)
+        self.settle()
+
+    def test_pointer_wheel_and_keys_turn_move_and_zoom(self):
+        self.open_live()
+        canvas = self.find("canvas")
+        before = self.picture()
+        cameras = [self.script("return camera.eye")]
+        actions = {
+            "drag": lambda: webdriver.ActionChains(self.browser).move_to_element_with_offset(canvas, -150, 40)
+            .click_and_hold().move_by_offset(60, 20).release().perform(),
+            "wheel": lambda: webdriver.ActionChains(self.browser).scroll_from_origin(
+                webdriver.common.actions.wheel_input.ScrollOrigin.from_element(canvas), 0, 120).perform(),
+            "arrow": lambda: canvas.send_keys(Keys.ARROW_LEFT),
+            "plus": lambda: canvas.send_keys("+"),
+            "shift": lambda: webdriver.ActionChains(self.browser).key_down(Keys.SHIFT).send_keys(Keys.ARROW_UP)
+            .key_up(Keys.SHIFT).perform(),
+        }
+        for name, act in actions.items():
+            act()
+            self.settle()
+            cameras.append(self.script("return camera.eye"))
+            self.assertNotEqual(cameras[-1], cameras[-2], name)
+            self.assertGreater(min(self.ink()), 60, name)
+        self.assertEqual(self.script("return state.view"), "")
+        self.assertGreater(numpy.abs(self.picture() - before).sum(axis=2).astype(bool).sum(), 1000)
+        self.script("choose({view: 'view0'})")
+        self.settle()
+        self.assertEqual(self.script("return camera.eye"), cameras[0])
+
+    def test_scores_of_the_run_stand_at_its_views(self):
+        self.open_live()
+        self.script("choose({left: 'surface8', right: 'ids'})")
+        self.settle()
+        self.assertRegex(self.find(".labels").text, r"surface8 F 0\.\d{3}\s+ids F 0\.\d{3}")
+        self.script("chooseProjection(true)")
+        self.settle()
+        self.assertNotIn(" F ", self.find(".labels").text)
+
+    def test_measuring_says_by_which_clock(self):
+        self.open_live()
+        self.script("[...document.querySelectorAll('#methods button')].find(b => b.textContent === 'Measure').click()")
+        self.wait(lambda: "Drawn by" in self.find("#times").text)
+        self.assertRegex(self.find("#times").text, r"surface8 [\d.]+ ms, mote4 [\d.]+ ms")
+        self.assertIn("many frames in a row", self.find("#times").text)  # SwiftShader is no GPU
+
+    # ---- Readers --------------------------------------------------------------------------------
+
+    def test_themes_and_names_of_controls(self):
+        for theme in ("light", "dark"):
+            self.open_live()
+            self.script("choose({theme: arguments[0]}); applyTheme()", theme)
+            self.assertEqual(self.script("return document.documentElement.className"), f"{theme}-theme")
+            self.assertEqual(faults(self.browser), [], theme)
+            self.assertGreater(min(self.ink()), 60)
+
+    def test_a_phone_sees_all_of_it(self):
+        with self.window(390):
+            for layout in ("two", "all"):
+                self.open_live()
+                self.script("choose({layout: arguments[0]})", layout)
+                self.settle()
+                self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+                self.assertGreater(min(self.ink()), 60)
+            self.assertEqual(self.script("return Math.round(canvas.width / 2) * 2 <= 390"), True)
+
+
+if __name__ == "__main__":
+    sys.argv[1:1] = ["-v"]
+    unittest.main()
