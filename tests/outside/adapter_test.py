@@ -25,6 +25,14 @@ FLOORS = {
     "opengl_ink": (0.82, 0.90, 0.71),
     "occ_exact": (0.98, 0.98, 0.92),
     "occ_polygonal": (0.98, 0.98, 0.95),
+    "webgl_surface8": (0.98, 0.96, 0.98),
+    "webgl_surface8_depth": (0.98, 0.98, 0.98),
+    "webgl_label8": (0.98, 0.87, 0.98),
+    "webgl_ids": (0.98, 0.87, 0.98),
+    "webgl_roberts": (0.98, 0.98, 0.98),
+    "webgl_decaudin": (0.84, 0.97, 0.94),
+    "webgl_mote4": (0.95, 0.98, 0.97),
+    "webgl_inverted_hull": (0.85, 0.97, 0.73),
 }
 IS_PARALLEL = NAME.startswith("occ_")  # its engine draws parallel views alone
 PROJECTION = "parallel" if IS_PARALLEL else "perspective"
@@ -93,6 +101,15 @@ class AdapterTest(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertIn("perspective", done.stderr)
+
+    @unittest.skipUnless(NAME.startswith("webgl_"), "it draws a method of the program's")
+    def test_its_lines_are_those_of_the_method(self):
+        done = adapters.run(adapters.OUTSIDE / "webgl" / "equal_lines", "--methods", NAME.removeprefix("webgl_"),
+                            "torus", "blocks", "rocket", "gear", "room")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        equal = [float(line.split("|")[5]) for line in done.stdout.splitlines()[2:]]
+        self.assertEqual(len(equal), 6, done.stdout)
+        self.assertGreaterEqual(min(equal), 99.5, done.stdout)
 
     def test_it_says_how_long_its_engine_took(self):
         with adapters.scratch() as folder:

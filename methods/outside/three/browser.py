@@ -1,4 +1,4 @@
-"""three.js in a headless Chromium with software GL: what its two adapters call."""
+"""A page in a headless Chromium that draws a view: what the adapters of three.js and of WebGL call."""
 
 import subprocess
 import tempfile
@@ -13,6 +13,7 @@ from entrant import Absent, Failed, find_program, store
 HERE = Path(__file__).resolve().parent
 THREE = "three-0.160.0"
 LONGEST_S = 600
+SOFTWARE_GL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 TYPES = {".html": "text/html", ".js": "text/javascript", ".json": "application/json"}
 
 
@@ -63,18 +64,49 @@ def handler_for(folders, files, answer):
     return Handler
 
 
-def wait_for(answer, browser):
+def wait_for(answer, browser, what):
     """Until the page answers. Raises Failed if the browser ends before, or takes too long."""
     for _ in range(10 * LONGEST_S):
         if answer.came.wait(0.1):
             return
         if browser.poll() is not None:
             raise Failed(f"Chromium ended with exit code {browser.returncode} before it drew")
-    raise Failed(f"three.js did not draw within {LONGEST_S} s")
+    raise Failed(f"{what} did not draw within {LONGEST_S} s")
+
+
+def drawn_by_page(what, chromium, page, view, switches):
+    """The image of a view that a page draws and sends back, and the milliseconds by its own clock.
+
+    `page` is (address, folders, files): an address below the server's, the folders that it serves by
+    the first part of an address, and single files by theirs. Raises Failed, which names `what`, if
+    the page does not draw.
+    """
+    address, folders, files = page
+    answer = Answer()
+    files = {"view/view.json": view.path, **files}
+    server = ThreadingHTTPServer(("127.0.0.1", 0), handler_for(folders, files, answer))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with tempfile.TemporaryDirectory(prefix="inkbench-page-", ignore_cleanup_errors=True) as home:
+        browser = subprocess.Popen(
+            [chromium, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", *switches,
+             "--no-first-run", "--no-proxy-server", "--disable-background-networking",
+             "--disable-sync", "--disable-extensions", "--disable-breakpad",
+             f"--user-data-dir={home}", f"http://127.0.0.1:{server.server_port}/{address}"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            wait_for(answer, browser, what)
+        finally:
+            browser.terminate()
+            browser.wait()
+            server.shutdown()
+    if answer.failure is not None:
+        raise Failed(f"{what}: {answer.failure[:180]}")
+    width, height = view.size_px
+    return numpy.frombuffer(answer.pixels, numpy.uint8).reshape(height, width), answer.draw_ms
 
 
 def render(adapter, folder, view, is_mask):
-    """The image that the pass.js of `folder` draws, and the milliseconds by the page's clock.
+    """The image that the pass.js of `folder` draws with three.js, and the milliseconds by its clock.
 
     Raises Absent without Chromium or three.js, Failed if the page does not draw.
     """
@@ -82,27 +114,6 @@ def render(adapter, folder, view, is_mask):
     three = store() / THREE
     if not (three / "build" / "three.module.js").exists():
         raise Absent(f"{THREE} is not in {three} (methods/outside/install {adapter})")
-    answer = Answer()
-    folders = {"three": three, "adapter": HERE, "pass": folder}
-    files = {"view/view.json": view.path, "view/mesh.glb": view.file("glb")}
-    server = ThreadingHTTPServer(("127.0.0.1", 0), handler_for(folders, files, answer))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    what = "mask" if is_mask else "lines"
-    address = f"http://127.0.0.1:{server.server_port}/adapter/page.html?what={what}&pass=pass.js"
-    with tempfile.TemporaryDirectory(prefix="inkbench-three-", ignore_cleanup_errors=True) as home:
-        browser = subprocess.Popen(
-            [chromium, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
-             "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
-             "--no-proxy-server", "--disable-background-networking", "--disable-sync",
-             "--disable-extensions", "--disable-breakpad", f"--user-data-dir={home}", address],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            wait_for(answer, browser)
-        finally:
-            browser.terminate()
-            browser.wait()
-            server.shutdown()
-    if answer.failure is not None:
-        raise Failed(f"three.js: {answer.failure[:180]}")
-    width, height = view.size_px
-    return numpy.frombuffer(answer.pixels, numpy.uint8).reshape(height, width), answer.draw_ms
+    address = f"adapter/page.html?what={'mask' if is_mask else 'lines'}&pass=pass.js"
+    page = (address, {"three": three, "adapter": HERE, "pass": folder}, {"view/mesh.glb": view.file("glb")})
+    return drawn_by_page("three.js", chromium, page, view, SOFTWARE_GL)

@@ -1,0 +1,47 @@
+"""The shaders of methods in WebGL 2, drawn by the page that `inkbench page` makes, in a headless Chromium."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "three")]
+
+import browser  # noqa: E402
+from entrant import Absent, Failed, find_program, run_adapter  # noqa: E402
+
+# Mesa's llvmpipe snaps vertices to 1/256 px, as GPUs do and the testbed does; SwiftShader, which Chromium
+# brings along, snaps them to 1/16 px.
+MESA_GL = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+
+
+def find_inkbench():
+    """The program: $INKBENCH, or that of this checkout, or the installed one. Raises Absent."""
+    built = HERE.parents[2] / "build" / "release" / "inkbench"
+    for found in (os.environ.get("INKBENCH"), built, shutil.which("inkbench")):
+        if found and Path(found).exists():
+            return str(found)
+    raise Absent(f"inkbench is not built in {built.parent}, and INKBENCH names no other")
+
+
+def draw(method, view, is_mask):
+    """The lines of a method at a view, and the milliseconds of a frame by the page's clock."""
+    chromium = find_program("chromium", f"webgl_{method}")
+    inkbench = find_inkbench()
+    switches = browser.SOFTWARE_GL if os.environ.get("INKBENCH_WEBGL") == "swiftshader" else MESA_GL
+    with tempfile.TemporaryDirectory(prefix="inkbench-webgl-") as folder:
+        made = Path(folder) / "page.html"
+        done = subprocess.run([inkbench, "page", str(view.file("glb")), "-o", str(made)],
+                              capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise Failed(f"inkbench page: {done.stderr.strip()[:180]}")
+        address = f"adapter/draw.html?method={'' if is_mask else method}"
+        page = (address, {"adapter": HERE}, {"made/page.html": made})
+        return browser.drawn_by_page("the page", chromium, page, view, switches)
+
+
+def run(method):
+    run_adapter(lambda view, is_mask: draw(method, view, is_mask))
