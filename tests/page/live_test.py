@@ -184,6 +184,7 @@ class LiveTest(BrowserTest):
         divider.send_keys(Keys.END, Keys.ARROW_LEFT)
         self.assertAlmostEqual(self.script("return state.cut"), 0.98)
         divider.send_keys(Keys.HOME, *[Keys.PAGE_UP] * 5)
+        self.settle()  # it stands where it was until the next frame
         width = self.find("canvas").size["width"]
         webdriver.ActionChains(self.browser).drag_and_drop_by_offset(divider, -round(0.25 * width), 0).perform()
         self.assertAlmostEqual(self.script("return state.cut"), 0.25, delta=0.02)
