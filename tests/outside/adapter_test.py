@@ -33,7 +33,7 @@ FLOORS = {
     "webgl_decaudin": (0.84, 0.97, 0.94),
     "webgl_mote4": (0.95, 0.98, 0.97),
     "webgl_inverted_hull": (0.85, 0.97, 0.73),
-    "cesium_edges": (0.94, 0.92, 0.93),
+    "cesium_edges": (0.94, 0.85, 0.93),
 }
 IS_PARALLEL = NAME.startswith("occ_")  # its engine draws parallel views alone
 PROJECTION = "parallel" if IS_PARALLEL else "perspective"
