@@ -15,6 +15,7 @@
 #include "core/escape.h"
 #include "core/provenance.h"
 #include "core/whole_file.h"
+#include "harness/view_images.h"
 #include "report/packed_run.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
@@ -154,6 +155,10 @@ std::string live_page(const harness::SceneViews& scene_views,
                    {"shaders", std::string(live_files().shaders)},
                    {"mesh", mesh_elements(mesh_bytes(mesh))},
                    {"data", data}});
+}
+
+std::filesystem::path live_page_path(const std::string& scene_name) {
+    return std::filesystem::path("live") / (harness::file_name(scene_name) + ".html");
 }
 
 void write_live_page(const harness::SceneViews& scene_views,

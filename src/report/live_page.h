@@ -25,6 +25,9 @@ inline constexpr std::size_t kMostLiveTriangles = 8'000'000;
 [[nodiscard]] std::string live_page(const harness::SceneViews& scene_views,
                                     const std::optional<experiment::RunData>& run);
 
+/// Where the page of a scene lies for a run's own page to link to it, below the run's folder.
+[[nodiscard]] std::filesystem::path live_page_path(const std::string& scene_name);
+
 /// Writes live_page() to `file`, whole or not at all. Throws core::Error if it cannot be written.
 void write_live_page(const harness::SceneViews& scene_views,
                      const std::optional<experiment::RunData>& run,

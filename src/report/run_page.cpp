@@ -10,6 +10,7 @@
 #include "core/vocabulary.h"
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"
+#include "report/live_page.h"
 #include "report/packed_run.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
@@ -53,13 +54,30 @@ std::string record_json(const experiment::RunRecord& record) {
         json_texts(record.faults));
 }
 
-std::string run_json(const experiment::RunData& run, const std::string& label) {
+/// Addresses of the live pages of a run's scenes, seen from a folder.
+std::string live_json(const experiment::RunData& run, const fs::path& page_folder) {
+    std::map<std::string, std::string> addresses;
+    for (const harness::Row& row : run.tables.rows) {
+        const fs::path page = run.folder / live_page_path(row.scene);
+        if (!addresses.contains(row.scene) && fs::exists(page))
+            addresses[row.scene] = fs::relative(page, page_folder).generic_string();
+    }
+    std::vector<std::string> entries;
+    for (const auto& [scene, address] : addresses)
+        entries.push_back(json_text(scene) + ":" + json_text(address));
+    return fmt::format("{{{}}}", fmt::join(entries, ","));
+}
+
+std::string run_json(const experiment::RunData& run,
+                     const std::string& label,
+                     const fs::path& page_folder) {
     std::vector<std::string> tables;
     for (const auto& [name, text] : run.texts)
         tables.push_back(json_text(name) + ":" + packed_table(text, (run.folder / name).string()));
-    return fmt::format(R"({{"label":{},"record":{},"tables":{{{}}}}})",
+    return fmt::format(R"({{"label":{},"record":{},"live":{},"tables":{{{}}}}})",
                        json_text(label),
                        record_json(run.record),
+                       live_json(run, page_folder),
                        fmt::join(tables, ","));
 }
 
@@ -117,11 +135,12 @@ std::string title_of(const std::vector<std::string>& labels) {
 
 }  // namespace
 
-std::string run_page(const std::vector<experiment::RunData>& runs) {
+std::string run_page(const std::vector<experiment::RunData>& runs, fs::path page_folder) {
+    if (page_folder.empty()) page_folder = runs.front().folder;
     const std::vector<std::string> labels = labels_of(runs);
     std::vector<std::string> packed;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        packed.push_back(run_json(runs[i], labels[i]));
+        packed.push_back(run_json(runs[i], labels[i], page_folder));
     return filled(page_files().index,
                   {{"title", core::escape(title_of(labels))},
                    {"style", std::string(page_files().style)},
@@ -137,7 +156,7 @@ std::string run_page(const std::vector<experiment::RunData>& runs) {
 }
 
 void write_run_page(const std::vector<experiment::RunData>& runs, const fs::path& file) {
-    core::write_whole_file(file, run_page(runs));
+    core::write_whole_file(file, run_page(runs, fs::absolute(file).parent_path()));
 }
 
 }  // namespace ink::report

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "harness/view_images.h"
 #include "image_io/image_file.h"
 #include "methods/registry.h"
+#include "report/live_page.h"
 #include "report/packed_run.h"
 #include "tests/core/temp_folder.h"
 #include "tests/report/made_up_rows.h"
@@ -83,6 +85,16 @@ TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
 
 TEST_F(RunPage, AFileThatCannotBeWrittenIsAnError) {
     EXPECT_THROW(write_run_page({run_}, folder_ / "no" / "page.html"), core::Error);
+}
+
+TEST_F(RunPage, LinksToTheLivePagesOfTheRunsFolder) {
+    EXPECT_THAT(run_page({run_}), HasSubstr(R"("live":{})"));
+    const fs::path live = folder_ / live_page_path("cube");
+    fs::create_directories(live.parent_path());
+    std::ofstream(live) << "<!doctype html>";
+    EXPECT_THAT(run_page({run_}), HasSubstr(R"("live":{"cube":"live/cube.html"})"));
+    fs::create_directories(folder_ / "elsewhere");
+    EXPECT_THAT(run_page({run_}, folder_ / "elsewhere"), HasSubstr(R"("../live/cube.html")"));
 }
 
 TEST_F(RunPage, HoldsTheImagesOfEveryView) {

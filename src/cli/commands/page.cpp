@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -7,6 +8,7 @@
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
+#include "core/error.h"
 #include "experiment/run_data.h"
 #include "report/live_page.h"
 
@@ -20,14 +22,22 @@ struct PageArgs {
     std::string file;
 };
 
-void run_page(const PageArgs& args) {
-    check_output_path(args.file, {".html"});
+void run_page(PageArgs args) {
+    if (args.file.empty() && args.run.empty())
+        throw core::Error("page", "there is no file to write", "-o FILE, or --run DIR");
+    if (!args.file.empty()) check_output_path(args.file, {".html"});
     const std::string name = one_scene(args.scene, "page");
     std::optional<experiment::RunData> run;
     if (!args.run.empty()) run = experiment::read_run(args.run);
     const harness::SceneViews scene_views =
         harness::load_scenes({name}, view_request(args.views)).front();
     print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    if (args.file.empty()) {
+        const std::filesystem::path file =
+            args.run / report::live_page_path(scene_views.scene.name);
+        std::filesystem::create_directories(file.parent_path());
+        args.file = file.string();
+    }
     report::write_live_page(scene_views, run, args.file);
     fmt::print("{}\n", args.file);
 }
@@ -39,9 +49,13 @@ void add_page_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "page", "Make a page that draws a model with methods on the reader's own GPU");
     add_one_scene_options(*command, args->scene);
-    command->add_option("-o,--output", args->file, "HTML file to write")
-        ->type_name("FILE")
-        ->required();
+    command
+        ->add_option(
+            "-o,--output",
+            args->file,
+            "HTML file to write (default, with --run: live/SCENE.html in the run's folder, "
+            "to which its report then links)")
+        ->type_name("FILE");
     add_view_options(*command, args->views);
     command
         ->add_option("--run",

@@ -102,7 +102,9 @@ function viewerControls(choice, shown) {
         blink,
         element('button', {type: 'button', class: 'quiet', id: 'fit'}, 'Fit'),
         element('button', {type: 'button', class: 'quiet', id: 'nearer', 'aria-label': 'Zoom in'}, '+'),
-        element('button', {type: 'button', class: 'quiet', id: 'farther', 'aria-label': 'Zoom out'}, '−'));
+        element('button', {type: 'button', class: 'quiet', id: 'farther', 'aria-label': 'Zoom out'}, '−'),
+        choice.run.live.has(choice.scene)
+            ? element('a', {href: choice.run.live.get(choice.scene), id: 'live'}, 'On your GPU') : null);
 }
 
 /// Every method's number on this view; a click shows it on the right.
