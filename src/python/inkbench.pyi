@@ -141,7 +141,7 @@ def compare(
     weld_epsilon: float = 0,
     intersections: str = "above_crease",
     repetitions: int = 15,
-    budget_ms: float = 30,
+    budget_ms: float = 20,
     times: bool = True,
     crosscheck: bool = True,
     full_scores: bool = True,
