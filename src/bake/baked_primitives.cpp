@@ -68,7 +68,8 @@ Json& BakedPrimitive::json(GltfEdit& edit) const {
 }
 
 BakedPrimitives find_primitives(GltfEdit& edit, const import::ImportedModel& model) {
-    const auto& [scene, places] = model;
+    const scene::Scene& scene = model.scene;
+    const import::FilePlaces& places = model.places;
     const auto& document = edit.document();
     BakedPrimitives found;
     std::vector<int> uses(document.meshes.size(), 0);

@@ -116,6 +116,16 @@ Json mesh_json(const scene::Mesh& mesh,
     return {{"name", mesh.name}, {"primitives", primitives}};
 }
 
+/// Dull, of that colour. Nothing is wholly clear: a file that says so means the opposite.
+void set_color(const glm::vec4& color, Json& material) {
+    const float opacity = color.a > 0 ? color.a : 1;
+    material["pbrMetallicRoughness"] = {
+        {"baseColorFactor", {color.r, color.g, color.b, opacity}},
+        {"metallicFactor", 0},
+    };
+    if (opacity < 1) material["alphaMode"] = "BLEND";
+}
+
 /// Numbers of materials -> their places in the file.
 std::map<std::uint32_t, int> material_places(const scene::Scene& scene) {
     std::set<std::uint32_t> numbers;
@@ -183,7 +193,8 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path) {
 
 void write_glb(const scene::Scene& scene,
                std::span<const scene::View> views,
-               const std::filesystem::path& path) {
+               const std::filesystem::path& path,
+               std::span<const glm::vec4> base_colors) {
     GlbBuffer buffer;
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "inkbench"}}}, {"scene", 0}};
     const auto places = material_places(scene);
@@ -194,6 +205,7 @@ void write_glb(const scene::Scene& scene,
         materials.push_back({{"name", fmt::format("material_{}", number)},
                              {"doubleSided", true},
                              {"extras", {{"material", number}}}});
+        if (number < base_colors.size()) set_color(base_colors[number], materials.back());
     }
     Json meshes = Json::array();
     for (const scene::Mesh& mesh : scene.meshes)

@@ -16,10 +16,11 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path);
 /// Writes the scene as it stands as binary glTF 2.0: a mesh per mesh with a primitive per material,
 /// a node per instance with its matrix and `extras.object`, materials with `extras.material`.
 /// Positions are the same floats; normals where the file had them. A camera per view, called by its
-/// name. Throws core::Error if it cannot
-/// be written, or needs more than the 4 GiB that the format holds.
+/// name. `base_colors` are colours and opacities by material number, 0..1; the rest are white.
+/// Throws core::Error if it cannot be written, or needs more than the 4 GiB that the format holds.
 void write_glb(const scene::Scene& scene,
                std::span<const scene::View> views,
-               const std::filesystem::path& path);
+               const std::filesystem::path& path,
+               std::span<const glm::vec4> base_colors = {});
 
 }  // namespace ink::entrants

@@ -177,9 +177,14 @@ ImportedModel import_model(const std::filesystem::path& path,
         places.node_of_instance.push_back(instance.file_node);
     for (const ImportedMesh& mesh : reply.meshes)
         places.parts_of_mesh.push_back(mesh.parts);
+    std::vector<glm::vec4> colors = std::move(reply.base_colors);
+    for (glm::vec4& color : colors) {
+        for (int k = 0; k < 4; ++k)
+            color[k] = color[k] >= 0 ? std::min(color[k], 1.0F) : 1;  // 1 where it is no number
+    }
     scene::Scene scene =
         scene_from_reply(std::move(reply), path, limits.triangles, choice.material_seams);
-    return {std::move(scene), std::move(places)};
+    return {std::move(scene), std::move(places), std::move(colors)};
 }
 
 scene::Scene import_scene(const std::filesystem::path& path,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct FilePlaces {
 struct ImportedModel {
     scene::Scene scene;
     FilePlaces places;
+    /// By material number colour and opacity, 0..1, see ImportReply; glTF's own are not read.
+    std::vector<glm::vec4> base_colors;
 };
 
 /// As `import_scene`, and where in the file its triangles stand.

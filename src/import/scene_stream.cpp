@@ -57,10 +57,10 @@ static_assert(sizeof(scene::VectorKey) == 32 && sizeof(scene::RotationKey) == 40
               "arrays travel as they lie in memory, without gaps");
 
 constexpr std::array<char, 8> kMagic{'i', 'n', 'k', 's', 'c', 'e', 'n', 'e'};
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::uint32_t kEndMark = 0x656e6421;
 
-static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::dvec3) == 24 &&
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16 && sizeof(glm::dvec3) == 24 &&
                   sizeof(scene::Triangle) == 12 && sizeof(MeshPart) == 16,
               "arrays travel as they lie in memory");
 
@@ -95,6 +95,7 @@ void pass_scene(Stream& of, Reply& reply) {
     });
     of.list(reply.animation_names, kLeastTextBytes, pass_text);
     of.list(reply.notes, kLeastTextBytes, pass_text);
+    of.parts(reply.base_colors);
 }
 
 }  // namespace

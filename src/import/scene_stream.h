@@ -112,6 +112,9 @@ struct ImportReply {
     /// What in the file does not count here, a few words each: "2 materials of mode BLEND are drawn
     /// opaque". Never something that changes geometry.
     std::vector<std::string> notes;
+    /// By material number the colour and the opacity of its faces before light and textures, in the
+    /// file's own numbers, white where it says nothing; materials beyond the last have none.
+    std::vector<glm::vec4> base_colors;
     /// Skins and morphs come without positions and normals: those of their mesh hold.
     std::optional<scene::Animation> animation{};
 };

@@ -157,6 +157,23 @@ TEST(Obj, TransparentMaterialsInUseAreNoted) {
                 ElementsAre("2 transparent materials are drawn opaque"));
 }
 
+TEST(Obj, MaterialsInUseHaveTheirColours) {
+    const auto colors = [](const std::string& library) {
+        const FilesBeside beside = [&](const std::string& name) {
+            return name == "a.mtl" ? library : std::string();
+        };
+        const std::string file =
+            "mtllib a.mtl\n" + kThree + "usemtl red\nf 1 2 3\nusemtl grey\nf 1 2 3\n";
+        return read_obj(file, "model", beside).base_colors;
+    };
+    EXPECT_THAT(colors(""), IsEmpty()) << "no such file";
+    EXPECT_THAT(colors("newmtl other\nKd 1 0 0\n"), IsEmpty());
+    EXPECT_THAT(colors("Kd 9 9 9\nnewmtl red\nKd 1 0.5 0\nd 0.25\nnewmtl grey\nKd 0.5\n"),
+                ElementsAre(glm::vec4(1, 0.5, 0, 0.25), glm::vec4(0.5, 0.5, 0.5, 1)));
+    EXPECT_THAT(colors("newmtl red\nKd spectral x.rfl\nKd xyz 1 1 1\n"),
+                ElementsAre(glm::vec4(1), glm::vec4(1)));
+}
+
 TEST(Obj, SurfacesAreRefused) {
     for (const char* statement : {"surf 0 1 0 1 1 2 3 4", "bzp 1 2 3", "call other.obj"}) {
         try {

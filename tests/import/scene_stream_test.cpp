@@ -27,6 +27,7 @@ ImportReply sample_reply() {
         {.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node", .file_node = 7}};
     reply.animation_names = {"walk", ""};
     reply.notes = {"a lamp"};
+    reply.base_colors = {{1, 0.5, 0, 1}, {0, 0, 1, 0.5}};
     reply.lights.resize(2);
     reply.lights[1] = {.kind = LightKind::distant,
                        .p_world = {1, 2, 3},
@@ -89,6 +90,7 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->instances[0].file_node, 7U);
     EXPECT_EQ(reply->animation_names, sample_reply().animation_names);
     EXPECT_EQ(reply->notes, sample_reply().notes);
+    EXPECT_EQ(reply->base_colors, sample_reply().base_colors);
     ASSERT_EQ(reply->lights.size(), 2U);
     EXPECT_EQ(reply->lights[0].kind, LightKind::point);
     EXPECT_FALSE(reply->lights[0].is_physical);

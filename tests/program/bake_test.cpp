@@ -48,6 +48,22 @@ TEST(BakeProgram, WritesAFileAndSaysWhatWasDone) {
     EXPECT_EQ(desk.read("a.gltf"), desk.read("b.gltf"));
 }
 
+TEST(BakeProgram, OtherFormatsBecomeGltfWithNamesAndBaseColours) {
+    const Desk desk;
+    desk.write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl glass\nKd 0 0.5 1\nd 0.5\n");
+    desk.write("a.obj",
+               "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no lid\nusemtl red\nf 1 3 2\n"
+               "f 1 2 4\nusemtl glass\nf 2 3 4\no base\nf 1 4 3\n");
+    EXPECT_THAT(expect_done(desk, "bake a.obj -o b.gltf"), HasSubstr("names and base colours\n"));
+    const Json baked = Json::parse(desk.read("b.gltf"));
+    EXPECT_EQ(baked["nodes"][0]["name"], "lid");
+    EXPECT_EQ(baked["nodes"][1]["name"], "base");
+    const auto color = [&](int i) { return baked["materials"][i]["pbrMetallicRoughness"]; };
+    EXPECT_EQ(color(0)["baseColorFactor"], Json({1.0, 0.0, 0.0, 1.0}));
+    EXPECT_EQ(color(1)["baseColorFactor"], Json({0.0, 0.5, 1.0, 0.5}));
+    EXPECT_EQ(baked["materials"][1]["alphaMode"], "BLEND");
+}
+
 TEST(BakeProgram, CodesAreTheDefaultUnlessEdgesAreAskedFor) {
     const Desk desk;
     desk.write("a.gltf", tetrahedron());

@@ -69,10 +69,10 @@ std::string in_units(std::uintmax_t bytes) {
 bake::BakedFile bake_other(const import::ImportedModel& model, const BakeArgs& args) {
     const core::ScratchFolder scratch("bake");
     const fs::path file = scratch.path() / "model.glb";
-    entrants::write_glb(model.scene, {}, file);
+    entrants::write_glb(model.scene, {}, file, model.base_colors);
     bake::BakedFile baked =
         bake::bake(file, import::import_model(file), options_of(args), args.out);
-    baked.lines.insert(baked.lines.begin(), "it became glTF: geometry, names, materials by number");
+    baked.lines.insert(baked.lines.begin(), "it became glTF: geometry, names and base colours");
     return baked;
 }
 

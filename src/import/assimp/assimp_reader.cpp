@@ -188,6 +188,19 @@ void convert_cameras(const aiScene& scene,
     }
 }
 
+/// Each material's own colour, else that of its diffuse light, and its opacity.
+void take_base_colors(const aiScene& scene, ImportReply& reply) {
+    for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
+        const aiMaterial& material = *scene.mMaterials[m];
+        aiColor4D color(1, 1, 1, 1);
+        float opacity = 1;
+        if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
+            (void)material.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+        (void)material.Get(AI_MATKEY_OPACITY, opacity);
+        reply.base_colors.emplace_back(color.r, color.g, color.b, opacity);
+    }
+}
+
 /// What is said of materials that let light through.
 void note_transparency(const aiScene& scene, ImportReply& reply) {
     std::set<unsigned> transparent;
@@ -270,6 +283,7 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
         convert_cameras(*scene, nodes, camera_facts(path, reader), reply);
         reply.lights = convert_lights(*scene, nodes);
     }
+    take_base_colors(*scene, reply);
     note_transparency(*scene, reply);
     if (motion.duration_s > 0 || !motion.skins.empty()) reply.animation = std::move(motion);
     return reply;

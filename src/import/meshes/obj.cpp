@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <glm/vec4.hpp>
+#include <map>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -24,19 +25,37 @@ std::optional<double> to_number(std::string_view word) {
     return error == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
-/// The names of a material library's (MTL) materials that let light through: d below 1, or Tr above
-/// 0. Only names and these are looked at; what is wrong in others is none of ours.
-std::set<std::string> transparent_materials(std::string_view library) {
-    std::set<std::string> names;
-    std::string name;
+/// A colour of a material library (MTL): three numbers, or one for all; nothing for what is a
+/// spectrum or no colour.
+std::optional<glm::vec3> to_color(LineWords& words) {
+    glm::vec3 color{0};
+    for (int i = 0; i < 3; ++i) {
+        const std::string_view word = words.word();
+        const auto value = to_number(word);
+        if (!value && !(i > 0 && word.empty())) return std::nullopt;
+        color[i] = value ? static_cast<float>(*value) : color[i - 1];
+    }
+    return color;
+}
+
+/// The materials of a library by name: their colour (Kd) and their opacity (d, or 1 - Tr). Only
+/// names and these are looked at; what is wrong in others is none of ours.
+std::map<std::string, glm::vec4> read_materials(std::string_view library) {
+    std::map<std::string, glm::vec4> materials;
+    glm::vec4* material = nullptr;
     for (LineWords words(library, {.comment = '#'}); words.next_line();) {
         const std::string_view keyword = words.word();
-        if (keyword == "newmtl") name = words.rest();
-        if (keyword != "d" && keyword != "Tr") continue;
-        const auto value = to_number(words.word());  // none: "d -halo 0.5" fades with the angle
-        if (value && (keyword == "d" ? *value < 1 : *value > 0)) names.insert(name);
+        if (keyword == "newmtl")
+            material = &materials.emplace(words.rest(), glm::vec4(1)).first->second;
+        if (material == nullptr) continue;
+        if (keyword == "Kd") {
+            if (const auto color = to_color(words)) *material = {*color, material->a};
+        } else if (keyword == "d" || keyword == "Tr") {
+            const auto value = to_number(words.word());  // none: "d -halo 0.5" fades with the angle
+            if (value) material->a = static_cast<float>(keyword == "d" ? *value : 1 - *value);
+        }
     }
-    return names;
+    return materials;
 }
 
 constexpr WordRules kObjRules{.comment = '#', .is_continued = true};
@@ -98,7 +117,7 @@ class ObjReader {
     ObjCorner read_corner(std::string_view word);
     std::uint32_t read_index(std::string_view word, std::size_t count, Ahead& ahead);
     void begin_run();
-    [[nodiscard]] std::size_t transparent_count() const;
+    [[nodiscard]] std::vector<glm::vec4> base_colors() const;
     [[nodiscard]] std::vector<std::string> notes() const;
 
     LineWords words_;
@@ -208,20 +227,23 @@ std::vector<std::string> ObjReader::notes() const {
                         " that OBJ does not know, first line " +
                         std::to_string(left_out_.first_unknown_line) + ": left out");
     }
-    if (const std::size_t count = transparent_count(); count > 0)
-        notes.push_back(drawn_opaque(count));
     return notes;
 }
 
-/// How many of the materials in use let light through.
-std::size_t ObjReader::transparent_count() const {
-    if (!*beside_) return 0;
-    std::set<std::string> transparent;
+/// The colours of the materials in use; none if no library beside the file has one of them.
+std::vector<glm::vec4> ObjReader::base_colors() const {
+    if (!*beside_) return {};
+    std::map<std::string, glm::vec4> known;
     for (const std::string& library : libraries_)
-        transparent.merge(transparent_materials((*beside_)(library)));
-    const auto& used = materials_.names();
-    return static_cast<std::size_t>(std::count_if(
-        used.begin(), used.end(), [&](auto& name) { return transparent.count(name) != 0; }));
+        known.merge(read_materials((*beside_)(library)));
+    std::vector<glm::vec4> colors;
+    bool is_any_known = false;
+    for (const std::string& name : materials_.names()) {
+        const auto found = known.find(name);
+        is_any_known = is_any_known || found != known.end();
+        colors.push_back(found == known.end() ? glm::vec4(1) : found->second);
+    }
+    return is_any_known ? colors : std::vector<glm::vec4>{};
 }
 
 void check_ahead(const Ahead& ahead, std::size_t count, const char* what) {
@@ -242,6 +264,10 @@ ImportReply ObjReader::read() {
     for (std::uint32_t m = 0; m < reply.meshes.size(); ++m)
         reply.instances.push_back({.mesh = m, .name = reply.meshes[m].name});
     reply.notes = notes();
+    reply.base_colors = base_colors();
+    const auto clear = std::count_if(
+        reply.base_colors.begin(), reply.base_colors.end(), [](auto& c) { return c.a < 1; });
+    if (clear > 0) reply.notes.push_back(drawn_opaque(static_cast<std::size_t>(clear)));
     return reply;
 }
 
