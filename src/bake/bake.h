@@ -31,7 +31,7 @@ struct BakedFile {
 };
 
 /// The glTF file at `from`, which `model` was imported from, with what the options ask for; of the
-/// kind that the ending of `to` says. All else in it stays as it is, its bytes before those added.
+/// kind that the ending of `to` says. All else in it stays as it is.
 ///
 /// A file that has it all already comes back byte for byte if it is of that kind. Throws
 /// core::Error (where = `from`) for what cannot be baked, and (where = `to`) for what cannot be

@@ -17,7 +17,7 @@ namespace ink::bake {
 using Json = nlohmann::ordered_json;
 
 /// A glTF file that is added to: its JSON as the user has it, every key in its place, and bytes
-/// that go behind those of its buffer.
+/// that go where nothing uses those of its buffer any more, else behind them.
 ///
 /// What is read comes from the document as it was, checked; what is changed is the copy in json().
 class GltfEdit {

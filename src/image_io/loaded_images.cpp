@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include "core/error.h"
+#include "core/program_folder.h"
 #include "image_io/image_functions.h"
 
 namespace ink::image_io {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 /// The module lies beside the program in the build, and in a folder of libraries once installed.
 const ImageFunctions& load() {
     std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    const fs::path program = core::program_folder();
     fs::path module = program / INK_IMAGE_MODULE;
     if (!fs::exists(module, ignored)) module = program / INK_IMAGE_MODULE_INSTALLED;
     void* const handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL);

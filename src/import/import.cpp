@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/program_folder.h"
 #include "import/child_process.h"
 #include "import/imported_scene.h"
 #include "import/printable.h"
@@ -66,10 +67,7 @@ void check_file(const std::filesystem::path& path, const Complaint& complain) {
 
 std::filesystem::path find_child(const ImportLimits& limits) {
     std::filesystem::path child = limits.child;
-    if (child.empty()) {
-        std::error_code error;
-        child = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / kChildName;
-    }
+    if (child.empty()) child = core::program_folder() / kChildName;
     if (access(child.c_str(), X_OK) != 0) {
         throw core::Error(
             child.string(),

@@ -56,15 +56,16 @@ std::string record_json(const experiment::RunRecord& record) {
 
 /// Addresses of the live pages of a run's scenes, seen from a folder.
 std::string live_json(const experiment::RunData& run, const fs::path& page_folder) {
-    std::map<std::string, std::string> addresses;
-    for (const harness::Row& row : run.tables.rows) {
-        const fs::path page = run.folder / live_page_path(row.scene);
-        if (!addresses.contains(row.scene) && fs::exists(page))
-            addresses[row.scene] = fs::relative(page, page_folder).generic_string();
-    }
+    std::set<std::string> scenes;
+    for (const harness::Row& row : run.tables.rows)
+        scenes.insert(row.scene);
     std::vector<std::string> entries;
-    for (const auto& [scene, address] : addresses)
+    for (const std::string& scene : scenes) {
+        const fs::path page = run.folder / live_page_path(scene);
+        if (!fs::exists(page)) continue;
+        const std::string address = fs::relative(page, page_folder).generic_string();
         entries.push_back(json_text(scene) + ":" + json_text(address));
+    }
     return fmt::format("{{{}}}", fmt::join(entries, ","));
 }
 

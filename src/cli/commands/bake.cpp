@@ -66,12 +66,13 @@ std::string in_units(std::uintmax_t bytes) {
 }
 
 /// Bakes a model of another format by way of a glTF file that holds its geometry.
-bake::BakedFile bake_other(const import::ImportedModel& model, const BakeArgs& args) {
+bake::BakedFile bake_other(const import::ImportedModel& model,
+                           const bake::BakeOptions& options,
+                           const fs::path& out) {
     const core::ScratchFolder scratch("bake");
     const fs::path file = scratch.path() / "model.glb";
     entrants::write_glb(model.scene, {}, file, model.base_colors);
-    bake::BakedFile baked =
-        bake::bake(file, import::import_model(file), options_of(args), args.out);
+    bake::BakedFile baked = bake::bake(file, import::import_model(file), options, out);
     baked.lines.insert(baked.lines.begin(), "it became glTF: geometry, names and base colours");
     return baked;
 }
@@ -83,7 +84,7 @@ void run_bake(const BakeArgs& args) {
     const import::ImportedModel model = import::import_model(args.model);
     const bake::BakedFile baked = bake::is_gltf(model)
                                       ? bake::bake(args.model, model, options, args.out)
-                                      : bake_other(model, args);
+                                      : bake_other(model, options, args.out);
     const std::uintmax_t bytes_before = fs::file_size(args.model);
     core::write_whole_file(args.out, baked.bytes);
     for (const std::string& line : baked.lines)

@@ -20,6 +20,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
+#include "core/program_folder.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
 #include "harness/cell.h"
@@ -46,9 +47,8 @@ std::string python() {
 /// another version by now.
 fs::path script() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
     const fs::path installed =
-        program.parent_path() / INK_SHARE_FROM_PROGRAM / "notebooks" / kScript;
+        core::program_folder() / INK_SHARE_FROM_PROGRAM / "notebooks" / kScript;
     for (const fs::path& file : {installed, fs::path(INK_SOURCE_NOTEBOOKS) / kScript})
         if (fs::is_regular_file(file, error)) return file.lexically_normal();
     throw core::Error("figures",
