@@ -14,7 +14,7 @@ that is not held, else RUN.COLUMN, or RUN.LOW..HIGH for two; `:2` behind it asks
     <!-- numbers: key catalogue.f_2px catalogue.f_lo..f_hi catalogue.draw_ms:2 -->
 
 Columns are those of summary.csv and differences.csv (experiments/columns.md), a scene's name for F over its views,
-`least` for the scene with the lowest F, and `width_px`, the mean width of drawn lines over views. Exit code 1: a page would change; 2: a page asks for what no kept run has.
+`kind_NAME` for F over a kind's scenes, `least` for the scene with the lowest F, and `width_px`, the mean width of drawn lines over views. Exit code 1: a page would change; 2: a page asks for what no kept run has.
 """
 
 import argparse
@@ -110,6 +110,8 @@ def keep(name, run):
     by_scene = pooled_f(scored(rows, ()).groupby(["method", "scene"])[["k_2px", "n_pred", "n_truth"]].sum()).unstack()
     width = rows.groupby("method").mean_width_px.mean().rename("width_px")
     summary = summary.set_index("method").join([by_scene, width]).assign(least=by_scene.min(axis=1))
+    if (Path(run) / "kinds.csv").is_file():
+        summary = summary.join(read(run, "kinds.csv")[0].pivot(index="method", columns="scene_kind", values="f_2px").add_prefix("kind_"))
     leads = differences[differences.difference > 0]
     leads = leads.assign(pair=leads.method + "-" + leads.other).drop(columns=["method", "other"]).set_index("pair")
     with open(Path(run) / "run.toml", "rb") as file:

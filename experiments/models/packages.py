@@ -9,6 +9,9 @@ import zipfile
 from pathlib import Path
 
 
+_ARCHIVES = (".pk3", ".sh3f")  # zip files: maps and players, furniture
+
+
 class Missing(Exception):
     """Why a package or a file of it is not to be had, in one line."""
 
@@ -72,10 +75,11 @@ class Package:
         self._known = {}
 
     def read(self, path):
-        """The bytes of a file; its path may go on inside a .pk3. Raises Missing if it is not there."""
-        outer, separator, inner = path.partition(".pk3/")
-        if separator:
-            return self._read_zip(self._read(outer + ".pk3"), inner)
+        """The bytes of a file; its path may go on inside an archive. Raises Missing if it is not there."""
+        for ending in _ARCHIVES:
+            outer, separator, inner = path.partition(ending + "/")
+            if separator:
+                return self._read_zip(self._read(outer + ending), inner)
         return self._read(path)
 
     def _read_zip(self, archive, path):

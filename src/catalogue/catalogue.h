@@ -11,6 +11,7 @@ namespace ink::catalogue {
 struct CatalogueEntry {
     std::string name;  ///< what `--scenes` and the rows call it
     scene::Split split;
+    std::string kind;         ///< of thing, in the words of experiments/models.toml, or "shape"
     std::string summary;      ///< one line: what it is and what it tries
     scene::Scene (*build)();  ///< without name, split and check: call `make`
 

@@ -38,9 +38,10 @@ std::string list_scenes() {
     std::string text = "scenes (inkbench compare --scenes a,b)\n";
     for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
         const scene::Scene made = entry.make();
-        text += fmt::format("  {:<16} {:<8} {:>6} triangles, {} views  {}\n",
+        text += fmt::format("  {:<16} {:<8} {:<12} {:>6} triangles, {} views  {}\n",
                             entry.name,
                             scene::split_name(entry.split),
+                            entry.kind,
                             scene::triangle_count(made),
                             made.cameras.size(),
                             entry.summary);

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/named.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "methods/toml_reader.h"
 
 namespace ink::experiment {

@@ -78,6 +78,7 @@ std::vector<harness::TableInfo> dictionary() {
             harness::methods_table(),
             harness::rows_table(),
             summary::summary_table(),
+            summary::kinds_table(),
             summary::differences_table(),
             summary::unscored_table(),
             harness::curves_table(),

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/parse_number.h"
 #include "entrants/entrant.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {

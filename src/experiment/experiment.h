@@ -63,6 +63,7 @@ struct Experiment {
     std::vector<int> threads = {1};     ///< of the methods
     std::vector<std::string> scenes;    ///< built-in scenes or model files; compare, animation
     harness::ViewRequest view_request;  ///< from where scenes are seen; its size is not read
+    std::string model_list = {};        ///< the file that `view_request.listed` is of, or ""
     int views = 0;                      ///< the first of each scene; 0: all
     std::vector<std::string> axes;      ///< of stress; none: all
     scene::ProjectionKind projection =

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "experiment/experiment.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "methods/method_configs.h"
 #include "methods/toml_reader.h"
 

@@ -67,6 +67,8 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     if (record.one_place && record.kind == "compare") {
         tables.push_back(
             {"summary.csv", summary::summary_csv(data.rows, data.curves, record.answer)});
+        if (std::string kinds = summary::kinds_csv(data.rows); !kinds.empty())
+            tables.push_back({"kinds.csv", std::move(kinds)});
         tables.push_back({"differences.csv",
                           summary::differences_csv(summary::all_paired_differences(data.rows))});
     }

@@ -34,6 +34,7 @@ struct Row {
     std::string view;
     std::string projection;  ///< perspective | parallel
     std::string split;       ///< train | heldout | real
+    std::string scene_kind;  ///< of thing that the scene is; "" where nobody said
     int width = 0;
     int height = 0;
     int threads = 1;

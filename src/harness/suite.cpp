@@ -128,6 +128,18 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
     return under_projections(cameras, request, bounds);
 }
 
+/// A built-in scene keeps its kind and split.
+void say_what_is_listed(const std::vector<ListedModel>& models,
+                        const std::string& what,
+                        scene::Scene& scene) {
+    if (scene.split != scene::Split::real) return;
+    const std::string file = std::filesystem::path(what).filename().string();
+    const auto found = std::ranges::find(models, file, &ListedModel::file);
+    if (found == models.end()) return;
+    scene.kind = found->kind;
+    scene.split = found->split;
+}
+
 void check_moves(const scene::Scene& scene, const char* option) {
     if (scene.animation) return;
     throw core::Error(option,
@@ -222,6 +234,7 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
     for (const std::string& name : all) {
         SceneViews scene_views =
             make_scene_views(load_scene(name, request.model, request.limits), request);
+        say_what_is_listed(request.listed, name, scene_views.scene);
         const std::string base = scene_views.scene.name;
         for (int n = 2; !taken.insert(scene_views.scene.name).second; ++n) {
             scene_views.scene.name = fmt::format("{}.{}", base, n);

@@ -27,6 +27,13 @@ enum class Fit {
     box      ///< what the view shows of the scene, as near as it goes
 };
 
+/// What a list says of a model file.
+struct ListedModel {
+    std::string file;  ///< its name, without a folder
+    std::string kind;  ///< of thing
+    scene::Split split = scene::Split::real;
+};
+
 /// From where scenes are seen.
 struct ViewRequest {
     int width_px = 1280;
@@ -44,10 +51,11 @@ struct ViewRequest {
     /// None: as a file's camera has it, parallel for `directions`, else in perspective.
     std::vector<scene::ProjectionKind> projections = {};
     std::optional<double> height_world = {};  ///< of parallel views without `cameras`; else fitted
-    std::optional<double> time_s;      ///< when an animated scene is seen; default: rest pose
-    std::optional<int> frame;          ///< by a stored frame's number instead
-    import::ModelChoice model = {};    ///< of model files
-    import::ImportLimits limits = {};  ///< how far these are trusted, and who reads them
+    std::optional<double> time_s;          ///< when an animated scene is seen; default: rest pose
+    std::optional<int> frame;              ///< by a stored frame's number instead
+    import::ModelChoice model = {};        ///< of model files
+    std::vector<ListedModel> listed = {};  ///< give these files their kinds and splits
+    import::ImportLimits limits = {};      ///< how far these are trusted, and who reads them
 };
 
 /// A scene with the views it is to be drawn from.

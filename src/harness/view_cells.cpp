@@ -110,6 +110,7 @@ void fill_place(const scene::Scene& scene,
     row.view = view.camera.name;
     row.projection = scene::kProjectionNames[view.camera.is_parallel() ? 1 : 0];
     row.split = scene::split_name(scene.split);
+    row.scene_kind = scene.kind;
     row.width = view.width_px;
     row.height = view.height_px;
     row.threads = options.measure.threads;

@@ -13,7 +13,7 @@
 #include "core/named.h"
 #include "core/param.h"
 #include "core/parse_number.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "methods/method_configs.h"
 
 namespace ink::python {

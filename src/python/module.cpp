@@ -40,6 +40,7 @@ py::list scenes() {
         py::dict of;
         of["name"] = entry.name;
         of["split"] = scene::split_name(entry.split);
+        of["kind"] = entry.kind;
         of["views"] = views;
         of["summary"] = entry.summary;
         list.append(of);
@@ -263,7 +264,7 @@ PYBIND11_MODULE(inkbench, module) {
     add_buffers(module);
     module.def("scenes",
                &scenes,
-               "The built-in scenes: a dict each, with name, split, views and summary.");
+               "The built-in scenes: a dict each, with name, split, kind, views and summary.");
     module.def(
         "methods",
         &methods,

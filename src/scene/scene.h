@@ -44,9 +44,9 @@ struct OmniLight {
 /// Which part of the suite a scene belongs to: views of one scene leak, so scenes are split, not
 /// views.
 enum class Split {
-    train,    ///< made by code; thresholds and presets are found on these
+    train,    ///< thresholds and presets are found on these
     heldout,  ///< made by code; nothing is found on these
-    real,     ///< a model file
+    real,     ///< a model file; nothing is found on these
 };
 
 /// What rows call a part: "train", "heldout" or "real".
@@ -62,6 +62,7 @@ struct FileFacts {
 struct Scene {
     std::string name;
     Split split = Split::heldout;  ///< importers say `real`
+    std::string kind;              ///< of thing: "vehicle"; "" where nobody said
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Camera> cameras;  ///< the scene's own views, near and far fitted

@@ -37,6 +37,16 @@ Rows of_split(const Rows& rows, std::string_view split) {
     return kept;
 }
 
+/// Their names, in order of first appearance.
+std::vector<std::string> scenes_of(const Rows& rows) {
+    std::vector<std::string> names;
+    for (const harness::Row* row : rows) {
+        if (std::find(names.begin(), names.end(), row->scene) == names.end())
+            names.push_back(row->scene);
+    }
+    return names;
+}
+
 std::optional<double> macro_f(const std::vector<Counts>& scenes) {
     std::vector<double> values;
     for (const Counts& scene : scenes)
@@ -74,6 +84,37 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
     return recalls;
 }
 
+/// One for each kind; scenes of none are left out.
+std::vector<KindSummary> kinds_of(const Rows& rows) {
+    std::vector<KindSummary> kinds;
+    for (const harness::Row* row : rows) {
+        const std::string& kind = row->scene_kind;
+        if (kind.empty() || std::ranges::count(kinds, kind, &KindSummary::kind) > 0) continue;
+        Rows own;
+        std::ranges::copy_if(rows, std::back_inserter(own), [&](const harness::Row* other) {
+            return other->scene_kind == kind;
+        });
+        const std::vector<Counts> scenes = counts_by_scene(own);
+        const std::vector<std::string> names = scenes_of(own);
+        const auto least = std::ranges::min_element(scenes, {}, &Counts::f) - scenes.begin();
+        const auto at = static_cast<std::size_t>(least);
+        kinds.push_back({kind,
+                         static_cast<int>(scenes.size()),
+                         *pooled(own, counts_2px),
+                         names[at],
+                         scenes[at].f()});
+    }
+    return kinds;
+}
+
+std::optional<double> mean_of_kinds(const std::vector<KindSummary>& kinds) {
+    if (kinds.size() < 2) return std::nullopt;
+    double sum = 0;
+    for (const KindSummary& kind : kinds)
+        sum += kind.f_2px;
+    return sum / static_cast<double>(kinds.size());
+}
+
 /// Pixels of either side without a match.
 std::int64_t wrong_px(const Counts& counts) {
     return counts.n_pred + counts.n_truth - 2 * counts.k;
@@ -81,11 +122,7 @@ std::int64_t wrong_px(const Counts& counts) {
 
 /// Where most of the error is; of scenes with as much the first.
 void find_error_scene(const Rows& rows, const std::vector<Counts>& scenes, MethodSummary& summary) {
-    std::vector<std::string> names;
-    for (const harness::Row* row : rows) {
-        if (std::find(names.begin(), names.end(), row->scene) == names.end())
-            names.push_back(row->scene);
-    }
+    const std::vector<std::string> names = scenes_of(rows);
     std::int64_t all = 0;
     std::int64_t most = 0;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -111,6 +148,8 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
     summary.f_real = pooled(of_split(rows, "real"), counts_2px);
     summary.f_macro = macro_f(scenes);
+    summary.kinds = kinds_of(rows);
+    summary.f_kinds = mean_of_kinds(summary.kinds);
     find_error_scene(rows, scenes, summary);
     summary.f_1px = f_1px(rows);
     summary.precision = share(sum.k, sum.n_pred);

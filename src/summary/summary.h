@@ -11,6 +11,15 @@
 
 namespace ink::summary {
 
+/// What a method scores on scenes of one kind.
+struct KindSummary {
+    std::string kind;
+    int scenes = 0;
+    double f_2px = 0;         ///< of the counts pooled over their views
+    std::string least_scene;  ///< the one with the lowest F
+    double f_least = 0;       ///< of that
+};
+
 /// What all rows of one method say together. A row that failed counts in `failed` and nowhere else;
 /// an empty value never enters a mean.
 struct MethodSummary {
@@ -28,7 +37,9 @@ struct MethodSummary {
     std::optional<double> f_train;            ///< pooled over the views of training scenes
     std::optional<double> f_heldout;          ///< pooled over those of held-out scenes
     std::optional<double> f_real;             ///< pooled over those of model files
-    std::optional<double> f_macro;  ///< mean over scenes of F pooled over each one's views
+    std::optional<double> f_macro;   ///< mean over scenes of F pooled over each one's views
+    std::optional<double> f_kinds;   ///< mean of `kinds`' F; nothing for fewer than two
+    std::vector<KindSummary> kinds;  ///< in order of first appearance
     std::optional<statistics::CurveSummary>
         curve;                        ///< over thresholds, all its views; see add_curves
     std::optional<double> f_1px;      ///< pooled

@@ -119,6 +119,8 @@ void add_f(const Summary& summary) {
     summary.add_derived({"f_heldout", "0..1", "the same over held-out scenes"}, &S::f_heldout);
     summary.add_derived({"f_real", "0..1", "the same over model files"}, &S::f_real);
     summary.add_derived({"f_macro", "0..1", "mean of the scenes' own F"}, &S::f_macro);
+    summary.add_derived({"f_kinds", "0..1", "mean of F over kinds of scenes (kinds.csv)"},
+                        &S::f_kinds);
     summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
     summary.add_derived({"precision", "0..1", "pooled, within 2 px"}, &S::precision);
     summary.add_derived({"recall", "0..1", "pooled, within 2 px"}, &S::recall);
@@ -193,6 +195,30 @@ std::string remedy_of(const harness::Row& row) {
                        row.method);
 }
 
+/// What a line of kinds.csv is made from.
+struct KindLine {
+    std::string method;
+    KindSummary kind;
+};
+
+const harness::TableOf<KindLine>& kind_columns() {
+    static const auto kTable = [] {
+        harness::TableOf<KindLine> table(
+            "kinds.csv", "A line per method and kind of scene, over all cells of study `compare`.");
+        table.add_derived({"method", "", "as in rows.csv"}, &KindLine::method);
+        const auto kind = table.part(&KindLine::kind);
+        kind.add_derived({"scene_kind", "", "as in rows.csv"}, &KindSummary::kind);
+        kind.add_derived({"scenes", "", "of this kind that have a score"}, &KindSummary::scenes);
+        kind.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all their views"},
+                         &KindSummary::f_2px);
+        kind.add_derived({"least_scene", "", "the scene with the lowest F"},
+                         &KindSummary::least_scene);
+        kind.add_derived({"f_least", "0..1", "that F"}, &KindSummary::f_least);
+        return table;
+    }();
+    return kTable;
+}
+
 const harness::TableOf<Unscored>& unscored_columns() {
     static const auto kTable = [] {
         harness::TableOf<Unscored> table(
@@ -227,6 +253,19 @@ std::string summary_csv(const std::vector<harness::Row>& rows,
                          place_in(answer, summary)});
     }
     return table().file(lines);
+}
+
+const harness::TableInfo& kinds_table() {
+    return kind_columns().info();
+}
+
+std::string kinds_csv(const std::vector<harness::Row>& rows) {
+    std::vector<KindLine> lines;
+    for (const MethodSummary& summary : summarise(rows)) {
+        for (const KindSummary& kind : summary.kinds)
+            lines.push_back({summary.method, kind});
+    }
+    return lines.empty() ? "" : kind_columns().file(lines);
 }
 
 std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {

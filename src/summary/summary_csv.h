@@ -23,6 +23,10 @@ namespace ink::summary {
                                       const std::vector<statistics::CellCurve>& curves,
                                       const AnswerRule& rule = {});
 
+/// kinds.csv: F of each method over scenes of each kind; "" where no row has a kind.
+[[nodiscard]] const harness::TableInfo& kinds_table();
+[[nodiscard]] std::string kinds_csv(const std::vector<harness::Row>& rows);
+
 /// Cells without a score for one and the same reason, on one view.
 struct Unscored {
     std::string scene;

@@ -96,7 +96,7 @@ class Tuner {
             found.error = 1 - score::average_precision(bench_.curve(config, by));
         } else {
             found.by_view = bench_.view_counts(config, by);
-            found.error = error_of(bench_.by_scene(found.by_view), options_.objective);
+            found.error = error_of(found.by_view, bench_.tune_views(), options_.objective);
         }
         found.value = found.error;
         if (!options_.budget_ms) return found;
@@ -260,9 +260,8 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
         const TuneStep& lucky = best_of(result.random_steps);
         result.random = TunedSettings{"random search", lucky.settings, lucky.found, {}, {}};
     }
-    if (heldout.empty())
-        result.left_out =
-            leave_one_view_out(result.steps, bench.scenes_of_views(), options.objective);
+    if (heldout.empty() || is_by_kind(options.objective))
+        result.left_out = leave_one_out(result.steps, bench.tune_views(), options.objective);
     std::vector<TunedSettings*> all = {&result.defaults, &result.tuned};
     if (result.random) all.push_back(&*result.random);
     if (options.objective == TuneObjective::ap) {

@@ -12,6 +12,7 @@
 #include "score/score.h"
 #include "tune/tune_bench.h"
 #include "tune/tune_log.h"
+#include "tune/tune_objective.h"
 #include "tune/tune_search.h"
 #include "tune/tune_space.h"
 
@@ -20,7 +21,7 @@ namespace ink::tune {
 struct TuneOptions {
     method::MethodConfig config;  ///< the method, with settings that stay as the user set them
     std::string parameters;       ///< as TuneSpace reads them
-    TuneObjective objective = TuneObjective::error;
+    TuneObjective objective = TuneObjective::pooled;
     /// Settings whose median drawing takes longer are out. Times are measured, so a search with a
     /// budget depends on the machine.
     std::optional<double> budget_ms;
@@ -53,8 +54,9 @@ struct TuneResult {
     std::vector<TuneStep> steps;          ///< the search's evaluations
     std::vector<TuneStep> random_steps;
     std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
-    /// Of each training view, by settings that were chosen without it (leave_one_view_out); empty
-    /// if there are held-out scenes, a single view, or average precision is lowered.
+    /// Of each training view, by settings that were chosen without it, or its kind
+    /// (leave_one_out); empty if views are left out though there are held-out scenes, if there is a
+    /// single one, and if average precision is lowered.
     std::vector<score::CurveCount> left_out;
     std::size_t resumed = 0;  ///< evaluations that were found on disk
     bool is_interrupted = false;

@@ -132,6 +132,7 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
     const score::ScoreOptions options = harness::score_options(1);
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         truth::SceneModel model(scenes[s].scene, trace.truth);
+        tune_views_.kind_of_scene.push_back(scenes[s].scene.kind);
         for (const scene::View& view : scenes[s].views) {
             const std::string name = fmt::format("{} {}", scenes[s].scene.name, view.camera.name);
             progress.report(static_cast<int>(views_.size()), name);
@@ -140,6 +141,7 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
             hasher.text(name).text(core::image_hash(truth.scoring.labels));
             hasher.text(core::image_hash(truth.scoring.ignore));
             score::TruthLists lists = score::list_truth(truth.scoring, options);
+            tune_views_.scene_of_view.push_back(s);
             views_.push_back({s,
                               view,
                               std::move(truth.traced.layers.triangle),
@@ -217,13 +219,6 @@ std::vector<score::CurveCount> TuneBench::by_scene(
     for (std::size_t i = 0; i < views_.size(); ++i)
         sums[views_[i].scene_index] += by_view[i];
     return sums;
-}
-
-std::vector<std::size_t> TuneBench::scenes_of_views() const {
-    std::vector<std::size_t> scenes;
-    for (const BenchView& view : views_)
-        scenes.push_back(view.scene_index);
-    return scenes;
 }
 
 std::vector<score::CurveCount> TuneBench::counts(const method::MethodConfig& config, DrawnBy by) {

@@ -12,6 +12,7 @@
 #include "method/method_config.h"
 #include "score/drawing.h"
 #include "score/score.h"
+#include "tune/tune_objective.h"
 #include "tune/tune_space.h"
 
 namespace ink::tune {
@@ -103,8 +104,8 @@ class TuneBench {
     /// Counts of views summed over those of each scene.
     [[nodiscard]] std::vector<score::CurveCount> by_scene(
         const std::vector<score::CurveCount>& by_view) const;
-    /// The index of each view's scene.
-    [[nodiscard]] std::vector<std::size_t> scenes_of_views() const;
+    /// Whose views they are.
+    [[nodiscard]] const TuneViews& tune_views() const { return tune_views_; }
     /// view_counts, summed over the views of each scene.
     [[nodiscard]] std::vector<score::CurveCount> counts(const method::MethodConfig& config,
                                                         DrawnBy by = DrawnBy::method);
@@ -139,6 +140,7 @@ class TuneBench {
     bool takes_times_ = false;
     double draw_ms_ = 0;
     std::vector<BenchView> views_;
+    TuneViews tune_views_;
     std::string hash_;
     TunePlanes planes_;
     std::vector<Drawn> kept_;  ///< the latest last

@@ -17,14 +17,20 @@ std::string interval_text(const std::optional<statistics::Interval>& interval) {
     return interval ? fmt::format("[{:.4f}, {:.4f}]", 1 - interval->high, 1 - interval->low) : "-";
 }
 
-const char* objective_name(TuneObjective objective) {
-    if (objective == TuneObjective::scenes) return "scenes";
-    return objective == TuneObjective::ap ? "ap" : "error";
-}
-
-const char* objective_words(TuneObjective objective) {
-    if (objective == TuneObjective::scenes) return "the scenes' errors at 2 px";
-    return objective == TuneObjective::ap ? "average precision" : "the error at 2 px";
+std::string_view objective_words(TuneObjective objective) {
+    switch (objective) {
+        case TuneObjective::pooled:
+            return "the error at 2 px";
+        case TuneObjective::scenes:
+            return "the scenes' errors at 2 px";
+        case TuneObjective::kinds:
+            return "the errors of kinds of scenes at 2 px";
+        case TuneObjective::worst:
+            return "the error of the worst kind of scenes at 2 px";
+        case TuneObjective::ap:
+            return "average precision";
+    }
+    return "";
 }
 
 std::string error_line(const TunedSettings& each) {
@@ -49,12 +55,13 @@ std::string paired_difference_line(const char* where,
         "  on {} scenes {}{}\n", where, summary::format_paired_difference(paired), verdict);
 }
 
-/// What settings found so may score on a view like these, where no scene is held out.
-std::string left_out_line(const TuneResult& result) {
+/// What settings found so may score on a view, or a kind, that the search has not seen.
+std::string left_out_line(const TuneResult& result, const TuneOptions& options) {
     if (result.left_out.empty()) return "";
     const double f = f_of(result.left_out);
     return fmt::format(
-        "one view left out at a time: E {:.4f}, F {:.3f}, 95 % of E {} over {} views\n",
+        "one {} left out at a time: E {:.4f}, F {:.3f}, 95 % of E {} over {} views\n",
+        is_by_kind(options.objective) ? "kind" : "view",
         1 - f,
         f,
         interval_text(statistics::f_interval(result.left_out, {})),
@@ -110,7 +117,7 @@ std::vector<std::pair<std::string, std::string>> provenance_lines(const TuneResu
     std::vector<std::pair<std::string, std::string>> lines = {
         {"command", methods::toml_text(options.command)},
         {"seed", fmt::format("{}", options.plan.seed)},
-        {"objective", methods::toml_text(objective_name(options.objective))},
+        {"objective", methods::toml_text(std::string(name(options.objective)))},
         {"evaluations", fmt::format("{}", result.steps.size())},
         {"training_views", fmt::format("{}", result.train_views)},
         {"e_train", fmt::format("{:.6f}", 1 - f_of(result.tuned.train))},
@@ -152,7 +159,7 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     if (result.heldout_views > 0) {
         text += paired_difference_line("unseen", result.tuned.heldout, result.defaults.heldout);
     }
-    text += left_out_line(result);
+    text += left_out_line(result, options);
     const bool is_late = options.budget_ms && result.tuned.found.value > 1;
     if (is_late) text += "no setting keeps within the time budget\n";
     if (options.budget_ms) {

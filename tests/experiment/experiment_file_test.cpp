@@ -9,7 +9,7 @@
 #include "experiment/asked.h"
 #include "experiment/experiment.h"
 #include "experiment/experiment_plan.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "tests/core/error_text.h"
 
 namespace ink::experiment {

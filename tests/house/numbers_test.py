@@ -69,7 +69,7 @@ class Numbers(unittest.TestCase):
 
     def test_of_methods_is_that_of_the_registry(self):
         count = sum(file.stem == file.parent.name for file in ROOT.glob("methods/*/*.toml"))
-        self.assertIn(f"with {count} methods", (ROOT / "README.md").read_text(encoding="utf-8"))
+        self.assertIn(f"compares {count} ways", (ROOT / "README.md").read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ TEST(SummaryCsv, WithoutRowsIsTheHeading) {
     EXPECT_EQ(
         summary_csv({}, {}),
         "method,kind,answer,views,scenes,failed,f_2px,f_lo,f_hi,error_scene,error_scene_share,"
-        "f_train,f_heldout,f_real,f_macro,f_1px,precision,"
+        "f_train,f_heldout,f_real,f_macro,f_kinds,f_1px,precision,"
         "recall,ap,draw_ms,draw_ms_lo,draw_ms_hi,bytes_per_px,"
         "recall_contour,recall_contour_lo,recall_contour_hi,"
         "recall_boundary,recall_boundary_lo,recall_boundary_hi,"
@@ -67,6 +67,20 @@ TEST(SummaryCsv, WithoutRowsIsTheHeading) {
         "recall_intersection_above_crease_hi,"
         "recall_intersection_below_crease,recall_intersection_below_crease_lo,"
         "recall_intersection_below_crease_hi\n");
+}
+
+TEST(KindsCsv, HasALinePerMethodAndKindAndIsEmptyWithoutKinds) {
+    harness::Row car = scored_row("a", "car", 80);
+    harness::Row van = scored_row("a", "van", 60);
+    harness::Row oak = scored_row("a", "oak", 50);
+    EXPECT_EQ(kinds_csv({car, van, oak}), "");
+    car.scene_kind = van.scene_kind = "vehicle";
+    oak.scene_kind = "foliage";
+    EXPECT_EQ(kinds_csv({car, van, oak}),
+              "method,scene_kind,scenes,f_2px,least_scene,f_least\n"
+              "a,vehicle,2,0.7,van,0.6\n"
+              "a,foliage,1,0.5,oak,0.5\n");
+    EXPECT_EQ(line_of(summary_csv({car, van, oak}, {}), 1).at("f_kinds"), "0.6");
 }
 
 TEST(SummaryCsv, PoolsTheRowsOfAMethod) {

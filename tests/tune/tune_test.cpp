@@ -182,6 +182,17 @@ TEST_F(Tune, WithoutHeldOutScenesOneViewIsLeftOutAtATime) {
     EXPECT_TRUE(tune(scenes({"cube", "gem"}), with).left_out.empty());
 }
 
+TEST_F(Tune, ByKindOneKindIsLeftOutAtATimeBesideHeldOutScenes) {
+    TuneOptions with = options("mote4", "threshold");
+    with.objective = TuneObjective::kinds;
+    with.random = false;
+    with.plan.evaluations = 6;
+    const TuneResult found = tune(scenes({"cube", "gear", "gem"}), with);
+    EXPECT_EQ(found.left_out.size(), found.train_views);
+    EXPECT_THAT(tune_summary(found, with), HasSubstr("one kind left out at a time: E 0."));
+    EXPECT_THAT(read("mote4_found.toml"), HasSubstr("objective = \"kinds\""));
+}
+
 TEST_F(Tune, ModelsOfTheUserAreSearchedUnlessTheyAreUnseen) {
     const fs::path model = folder_ / "roof.obj";
     std::ofstream(model) << "v 0 0 0\nv 1 0 0\nv 0 1 1\nv 1 1 1\nv 0 2 0\nv 1 2 0\n"

@@ -74,7 +74,8 @@ void add_compare_command(CLI::App& app) {
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     ExperimentOptions& options = args->options;
-    options.add_to(*command, {"grid.presets", "grid.entrants", "measure.entrant_seconds"});
+    options.add_to(*command,
+                   {"grid.model_list", "grid.presets", "grid.entrants", "measure.entrant_seconds"});
     add_view_options(*command, args->views);
     add_run_folder_options(*command, args->folder);
     command->add_flag("--quick",

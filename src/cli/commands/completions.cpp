@@ -13,7 +13,7 @@
 #include "cli/options/method_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 
 namespace ink::cli {
 namespace {

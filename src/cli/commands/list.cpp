@@ -60,6 +60,7 @@ Json scenes_json() {
                              const scene::Scene made = entry.make();
                              return {{"name", entry.name},
                                      {"split", scene::split_name(entry.split)},
+                                     {"kind", entry.kind},
                                      {"triangles", scene::triangle_count(made)},
                                      {"views", made.cameras.size()},
                                      {"summary", entry.summary}};

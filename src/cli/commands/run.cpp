@@ -5,7 +5,7 @@
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "methods/method_configs.h"
 
 namespace ink::cli {

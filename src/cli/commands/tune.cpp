@@ -23,6 +23,7 @@
 #include "report/run_page.h"
 #include "tune/tune.h"
 #include "tune/tune_bound.h"
+#include "tune/tune_objective.h"
 #include "tune/tune_report.h"
 
 namespace ink::cli {
@@ -40,7 +41,7 @@ struct TuneArgs {
     std::vector<std::string> methods;  ///< by --method
     std::string parameters;
     std::vector<std::string> settings;
-    std::string objective = "error";
+    std::string objective = "pooled";
     std::optional<double> budget_ms;
     int evaluations = 300;
     std::string global = "crs";
@@ -101,9 +102,10 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     const std::string method = method_of(args);
     options.config = methods::make_configs(method, args.settings).front();
     options.parameters = args.parameters;
-    check_choice("--objective", args.objective, {"error", "scenes", "ap"});
-    if (args.objective == "scenes") options.objective = tune::TuneObjective::scenes;
-    if (args.objective == "ap") options.objective = tune::TuneObjective::ap;
+    const std::vector<std::string>& objectives = tune::objective_names();
+    check_choice("--objective", args.objective, objectives);
+    options.objective = static_cast<tune::TuneObjective>(
+        std::ranges::find(objectives, args.objective) - objectives.begin());
     if (args.budget_ms && !(*args.budget_ms > 0)) {
         throw core::Error(
             "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
@@ -126,6 +128,15 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     options.name = args.name.empty() ? method + "_tuned" : args.name;
     methods::check_name(options.name, "--name");
     return options;
+}
+
+/// Models that a list keeps from those that settings may be found on are only scored.
+void spare_listed(const std::vector<harness::SceneViews>& scenes, tune::TuneOptions& options) {
+    for (const harness::SceneViews& scene_views : scenes) {
+        const scene::Scene& scene = scene_views.scene;
+        if (scene.split == scene::Split::real && !scene.kind.empty())
+            options.unseen.insert(scene.name);
+    }
 }
 
 /// Scenes and models that are only scored, after those that take part in the search.
@@ -154,8 +165,10 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     tune::TuneOptions options = tune_options(args);
     options.command = command;
     check_count("--more-views", args.more_views, 0, 1000);
-    const harness::ViewRequest request = view_request(args.views);
+    harness::ViewRequest request = view_request(args.views);
+    request.listed = args.options.read().view_request.listed;
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
+    spare_listed(scenes, options);
     for (harness::SceneViews& scene_views : scenes)
         tune::add_training_views(scene_views, request, args.more_views);
     add_unseen(args, request, scenes, options);
@@ -204,10 +217,11 @@ void add_tune_command(CLI::App& app) {
     command
         ->add_option("--objective",
                      args->objective,
-                     "What the search minimises. error: 1 - F at 2 px, all training views pooled; "
+                     "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
                      "scenes: (mean root of each scene's error) squared, so that every scene "
-                     "counts; ap: 1 - average precision")
-        ->type_name("error|scenes|ap")
+                     "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
+                     "error of the worst kind; ap: 1 - average precision")
+        ->type_name(fmt::format("{}", fmt::join(tune::objective_names(), "|")))
         ->capture_default_str();
     command
         ->add_option("--budget-ms",
@@ -232,6 +246,11 @@ void add_tune_command(CLI::App& app) {
                       args->scenes,
                       "Scenes or model files that take part (default: the catalogue): training "
                       "scenes and models are searched, held-out scenes only scored");
+    args->options.add_to(*command,
+                         {"grid.model_list"},
+                         "Says of model files which kind of thing they are, and which may be "
+                         "searched, the others being only scored: a TOML file like "
+                         "experiments/models.toml");
     add_repeatable_option(
         *command, "--unseen", args->unseen, "Scenes or model files that are only scored", "SCENES");
     add_view_options(*command, args->views);

@@ -8,7 +8,7 @@
 #include "cli/name_list.h"
 #include "core/error.h"
 #include "core/parse_number.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 #include "methods/method_configs.h"
 
 namespace ink::cli {

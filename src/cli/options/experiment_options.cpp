@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/name_list.h"
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 
 namespace ink::cli {
 namespace {

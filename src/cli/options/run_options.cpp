@@ -156,7 +156,9 @@ experiment::Experiment MeasureArgs::read() const {
          methods::make_configs(names, settings, experiment.presets))
         if (!names.empty() && !config.owned) experiment.methods.push_back(config.info->name);
     experiment.settings = settings;
-    experiment.view_request = view_request(views);
+    harness::ViewRequest request = view_request(views);
+    request.listed = std::move(experiment.view_request.listed);
+    experiment.view_request = std::move(request);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.scenes = scene_names(scenes);
     return experiment;

@@ -71,6 +71,8 @@ void add_place(RowTable& table) {
              "log are the same"},
             &Row::projection);
     row.add({"split", "", "train, heldout or real"}, &Row::split);
+    row.add({"scene_kind", "", "of thing that the scene is; empty where no list says it"},
+            &Row::scene_kind);
     row.add({"width", "px", "of the image"}, &Row::width);
     row.add({"height", "px", "of the image"}, &Row::height);
     row.add({"threads", "", "the method might use"}, &Row::threads);

@@ -172,9 +172,13 @@ function placeEndLabels(plot, ends, x, height) {
     }
 }
 
-/// A colour scale for errors: nothing at 0, red at `worst`; hatched where there is no score.
-function errorShade(share, worst) {
-    if (!isNumber(share)) return 'background: var(--hatch)';
+/// A colour scale for errors: that of the paper at 0, red at `worst`.
+function errorColour(share, worst) {
     const part = Math.min(1, Math.max(0, share / worst)) ** 0.6;
-    return `background: color-mix(in srgb, var(--bad) ${(60 * part).toFixed(0)}%, var(--paper))`;
+    return `color-mix(in srgb, var(--bad) ${(60 * part).toFixed(0)}%, var(--paper))`;
+}
+
+/// The same as a cell's background; hatched where there is no score.
+function errorShade(share, worst) {
+    return `background: ${isNumber(share) ? errorColour(share, worst) : 'var(--hatch)'}`;
 }

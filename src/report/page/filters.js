@@ -5,6 +5,7 @@ state.define('families', null);
 state.define('methods', null);
 state.define('scenes', null);
 state.define('split', 'all');
+state.define('scene_kind', 'all');
 state.define('projection', 'all');
 state.define('measure', 'f_2px');
 // What the run was asked for, until the reader asks for something else.
@@ -13,7 +14,7 @@ state.define('margin', PACKED.runs[0].record.f_margin);
 state.define('theme', 'auto');
 
 /// What a reader filters by, and Reset gives back.
-const FILTERS = ['families', 'methods', 'scenes', 'split', 'projection', 'measure', 'budget', 'margin'];
+const FILTERS = ['families', 'methods', 'scenes', 'split', 'scene_kind', 'projection', 'measure', 'budget', 'margin'];
 
 /// What the page shows now: the rows that the filters leave, and what they say together.
 function currentView() {
@@ -24,7 +25,7 @@ function currentView() {
 function isSceneShown(row) {
     const scenes = state.get('scenes');
     const isOne = column => state.get(column) === 'all' || row[column] === state.get(column);
-    return (!scenes || scenes.includes(row.scene)) && isOne('split') && isOne('projection');
+    return (!scenes || scenes.includes(row.scene)) && isOne('split') && isOne('scene_kind') && isOne('projection');
 }
 
 function isMethodChosen(info) {
@@ -39,7 +40,7 @@ function viewOf(run) {
     const allRows = run.rows.filter(isSceneShown);
     const isMethodShown = name => isMethodChosen(run.methods.get(name));
     const rows = allRows.filter(row => isMethodShown(row.method));
-    const hasAllScenes = !state.get('scenes') && state.get('split') === 'all' &&
+    const hasAllScenes = !state.get('scenes') && state.get('split') === 'all' && state.get('scene_kind') === 'all' &&
         state.get('projection') === 'all';
     const summaries = [...groupBy(rows, row => row.method)].map(([name, ofMethod]) => {
         const made = summarise(run.methods.get(name), ofMethod, measure);
@@ -97,6 +98,7 @@ function drawFilters(root, view) {
     const classes = RECALL_GROUPS.filter(name => run.rows.some(row => row[`truth_px_${name}`] > 0));
     const splits = distinct(run.rows, row => row.split);
     const projections = distinct(run.rows, row => row.projection);
+    const kinds = distinct(run.rows, row => row.scene_kind).filter(Boolean);
     const isOpen = root.querySelector('details.filters')?.open ?? innerWidth > 720;
     const steps = budgetSteps(view.contestants);
 
@@ -108,6 +110,8 @@ function drawFilters(root, view) {
         scenes.length > 1 ? picker('Scenes', 'scenes', scenes) : null,
         splits.length > 1 ? chooser('Split', [['all', 'all scenes'], ...splits.map(split => [split, splitTitle(split)])],
             state.get('split'), split => state.set({split})) : null,
+        kinds.length > 1 ? chooser('Kind', [['all', 'all kinds'], ...kinds.map(one => [one, one])],
+            state.get('scene_kind'), kind => state.set({scene_kind: kind})) : null,
         projections.length > 1 ? chooser('Projection', [['all', 'both projections'], ...projections.map(one => [one, one])],
             state.get('projection'), projection => state.set({projection})) : null,
         run.rows.length ? chooser('Measure', [

@@ -136,6 +136,8 @@ function summarise(method, rows, measure) {
     const ofSplit = split => pooled(scored.filter(row => row.split === split), measure);
     const macro = ascending([...groupBy(scored, row => row.scene).values()].map(
         ofScene => pooled(ofScene, measure)));
+    const kinds = [...groupBy(scored.filter(row => row.scene_kind), row => row.scene_kind).values()].map(
+        ofKind => pooled(ofKind, measure));
     const widths = ascending(scored.map(row => row.mean_width_px));
     const time = timeOf(scored);
     const errors = errorScene(scored);
@@ -152,6 +154,7 @@ function summarise(method, rows, measure) {
         heldout: ofSplit('heldout'),
         real: ofSplit('real'),
         macro: macro.length ? d3.mean(macro) : null,
+        kinds: kinds.length > 1 ? d3.mean(kinds) : null,
         errorScene: errors.scene,
         errorShare: errors.share,
         f_1px: pooled(scored, 'f_1px'),

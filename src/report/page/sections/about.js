@@ -28,6 +28,7 @@ function aboutTerms() {
         ['pooled', 'the counts of all views are added before they are divided, so every pixel counts alike. A cell ' +
             'that failed is in no number.'],
         ['mean of scenes (macro)', 'the mean of each scene’s own F, so every scene counts alike.'],
+        ['mean of kinds', 'the mean of F pooled over the scenes of each kind (scans, vehicles, ...), so every kind counts alike.'],
         ['training, held-out, real', 'the three parts of a suite. Methods were tuned, if at all, on training scenes ' +
             'only. Held-out scenes are made by code too, so they are like the training scenes in ways that nobody ' +
             'chose. Real models are files. A conclusion holds on the parts it names and on no other.'],

@@ -29,6 +29,7 @@ addSection({
         root.append(grid);
         const range = tuningRange(lines);
         for (const param of params) tuningParam(grid, param, lines, range);
+        tuningLandscapes(root, params, lines);
         tuningTable(root, table, lines);
     },
 });
@@ -148,6 +149,62 @@ function tuningParam(grid, param, lines, range) {
             answerNearest(area.plot, layer, spots, area.width, area.height);
         },
         csv: () => [[param, 'phase', 'e_train'], ...lines.map(line => [line[param], line.phase, line.e_train])],
+    });
+}
+
+const LANDSCAPE_CELLS = 12;
+/// An error so near to the least is as good: a plateau of such cells says that the values are not chance.
+const PLATEAU = 0.005;
+
+/// Two parameters at a time: each cell of their ranges has the least error of the settings tried in it.
+function tuningLandscapes(root, params, lines) {
+    const numbers = params.filter(param => lines.every(line => line[param] === null || isNumber(line[param])));
+    if (numbers.length < 2) return;
+    root.append(element('h3', {}, 'Landscape of two parameters at a time'),
+        element('p', {}, `The least error tried in each cell, whatever the other parameters; the redder, the more. ` +
+            `Framed: at most ${PLATEAU} above the least of all. Many framed cells side by side are a plateau.`));
+    const grid = chartGrid();
+    root.append(grid);
+    numbers.forEach((y, i) => numbers.slice(0, i).forEach(x => tuningLandscape(grid, x, y, lines)));
+}
+
+/// {i, j, best, tried} of each cell in which a setting was tried, cells counted along both axes.
+function landscapeCells(xName, yName, lines, scales) {
+    const indexOf = (value, {low, high}) =>
+        Math.min(LANDSCAPE_CELLS - 1, Math.floor(LANDSCAPE_CELLS * (value - low) / (high - low)));
+    const tried = lines.filter(line => isNumber(line[xName]) && isNumber(line[yName]));
+    const at = line => `${indexOf(line[xName], scales.x)} ${indexOf(line[yName], scales.y)}`;
+    return [...groupBy(tried, at)].map(([key, own]) => {
+        const [i, j] = key.split(' ').map(Number);
+        return {i, j, best: tuningBest(own), tried: own.length};
+    });
+}
+
+function tuningLandscape(grid, xName, yName, lines) {
+    const spanOf = name => ({low: d3.min(lines, line => line[name]), high: d3.max(lines, line => line[name])});
+    const scales = {x: spanOf(xName), y: spanOf(yName)};
+    const cells = landscapeCells(xName, yName, lines, scales);
+    const least = tuningBest(lines).e_train;
+    const worst = Math.max(...tuningRange(lines)) - least;
+    makeChart(grid, {
+        id: `landscape-${xName}-${yName}`, title: `${yName} over ${xName}`, height: 260, least: 300,
+        draw: chart => {
+            const area = plotArea(chart, {top: 26, right: 14, bottom: 46, left: 52});
+            const x = d3.scaleLinear().domain([scales.x.low, scales.x.high]).range([0, area.width]);
+            const y = d3.scaleLinear().domain([scales.y.low, scales.y.high]).range([area.height, 0]);
+            drawAxes(area, x, y, {bottom: {title: xName}, left: {title: yName}});
+            const [width, height] = [area.width / LANDSCAPE_CELLS, area.height / LANDSCAPE_CELLS];
+            for (const {i, j, best, tried} of cells) {
+                const above = best.e_train - least;
+                const box = area.plot.append('rect').attr('x', i * width + 1).attr('y', area.height - (j + 1) * height + 1)
+                    .attr('width', width - 2).attr('height', height - 2)
+                    .style('fill', errorColour(above, worst)).style('stroke', above <= PLATEAU ? 'var(--ink)' : 'var(--rule)').style('stroke-width', above <= PLATEAU ? 2 : 0.5);
+                answerText(box, [...tuningText(best), `${xName} ${formatTick(best[xName])}, ${yName} ${formatTick(best[yName])}`,
+                    `least of ${count(tried, 'setting')} in this cell`]);
+            }
+        },
+        csv: () => [[xName, yName, 'e_train', 'tried'],
+            ...cells.map(({best, tried}) => [best[xName], best[yName], best.e_train, tried])],
     });
 }
 

@@ -24,6 +24,7 @@ addSection({
             shareColumn('heldout', 'held-out', line => line.heldout, {help: 'Over scenes that no setting was tuned on'}),
             shareColumn('real', 'real models', line => line.real, {help: 'Over model files; the other scenes are made by code'}),
             shareColumn('macro', 'mean of scenes', line => line.macro, {help: 'Every scene counts alike'}),
+            shareColumn('kinds', 'mean of kinds', line => line.kinds, {help: 'Every kind of scene counts alike'}),
             shareColumn('f_1px', 'F at 1 px', line => line.f_1px),
             shareColumn('precision', 'precision', line => line.precision),
             shareColumn('recall', 'recall', line => line.recall),
@@ -34,7 +35,7 @@ addSection({
             {key: 'bytes', title: 'B/px', value: line => line.bytes, text: line => line.bytes ?? NOTHING, best: 'low', help: 'Bytes a pixel of all buffers, depth included'},
             {key: 'views', title: 'views', value: line => line.views,
              text: line => (line.failed ? `${line.views} of ${line.views + line.failed}` : String(line.views))},
-        ].filter(column => !['train', 'heldout', 'real'].includes(column.key) || view.summaries.some(s => s[column.key] !== null));
+        ].filter(column => !['train', 'heldout', 'real', 'kinds'].includes(column.key) || view.summaries.some(s => s[column.key] !== null));
         makeTable(root, {
             name: 'verdict', columns, order: 'value.down', lines: view.summaries,
             lineClass: line => [line.isBaseline ? 'baseline' : '', line === view.best ? 'winner' : '',

@@ -1,4 +1,4 @@
-#include "experiment/option_table.h"
+#include "experiment/options/option_table.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include "core/named.h"
 #include "core/parse_number.h"
 #include "entrants/entrant.h"
+#include "experiment/options/model_list.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "studies/stress/stress_axes.h"
@@ -121,6 +122,16 @@ Texts threads_text(const Experiment& experiment) {
     return texts;
 }
 
+void read_listed_models(Experiment& experiment, const Given& given) {
+    experiment.model_list = given.front().text;
+    at_place(given.front().where,
+             [&] { experiment.view_request.listed = read_model_list(experiment.model_list); });
+}
+
+Texts model_list_text(const Experiment& experiment) {
+    return experiment.model_list.empty() ? Texts{} : Texts{experiment.model_list};
+}
+
 /// A list of texts that are taken as they are.
 template <auto kField>
 void read_names(Experiment& experiment, const Given& names) {
@@ -185,6 +196,11 @@ OptionTable make_table() {
          .doc = "Threads a method may use while it is timed"},
         read_threads, threads_text);
     table.options.back().is_once = true;
+    in(kCompare | kAnimation | kBound, "--model-list").texts(
+        {.name = "grid.model_list", .kind = Kind::text, .unit = "FILE",
+         .doc = "Says of model files which kind of thing they are, and on which settings were "
+                "found: a TOML file like experiments/models.toml"},
+        read_listed_models, model_list_text);
     in(kCompare | kAnimation | kBound).choice(
         [](auto& e) -> auto& { return e.view_request.model.material_seams; },
         "grid.seams", {"objects", "materials"},
