@@ -219,12 +219,10 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
     begin_folder(options, space, scenes);
 
     TuneResult result;
-    for (const harness::SceneViews& scene_views : train)
-        result.train_scenes.push_back(scene_views.scene.name);
-    for (const harness::SceneViews& scene_views : heldout) {
-        result.heldout_scenes.push_back(scene_views.scene.name);
-        result.heldout_splits.push_back(scene_views.scene.split);
-    }
+    for (const auto& [scene, views] : train)
+        result.train_scenes.push_back({scene.name, scene::Split::train, scene.kind});
+    for (const auto& [scene, views] : heldout)
+        result.heldout_scenes.push_back({scene.name, scene.split, scene.kind});
     TuneBench bench(train, options.trace, options.threads);
     if (core::is_interrupted()) {
         result.is_interrupted = true;

@@ -46,6 +46,13 @@ struct TunedSettings {
     std::vector<score::CurveCount> heldout;  ///< a sum per held-out scene; none if there are none
 };
 
+/// A scene that took part, or was only scored.
+struct TunedScene {
+    std::string name;
+    scene::Split split;
+    std::string kind;  ///< of thing
+};
+
 /// What came of a search.
 struct TuneResult {
     TunedSettings defaults;  ///< the method as the user would have it without the search
@@ -60,9 +67,8 @@ struct TuneResult {
     std::vector<score::CurveCount> left_out;
     std::size_t resumed = 0;  ///< evaluations that were found on disk
     bool is_interrupted = false;
-    std::vector<std::string> train_scenes;     ///< those of TunedSettings::train, in that order
-    std::vector<std::string> heldout_scenes;   ///< those of TunedSettings::heldout
-    std::vector<scene::Split> heldout_splits;  ///< of each: heldout or real
+    std::vector<TunedScene> train_scenes;    ///< those of TunedSettings::train, in that order
+    std::vector<TunedScene> heldout_scenes;  ///< those of TunedSettings::heldout
     std::size_t train_views = 0;
     std::size_t heldout_views = 0;
     std::string inputs_hash;

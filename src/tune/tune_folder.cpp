@@ -58,18 +58,18 @@ experiment::RunRecord record_of(const TuneOptions& options, const TuneSpace& spa
 /// One setting of the method on one scene, all its views taken together.
 struct SceneRow {
     const TunedSettings& settings;
-    const std::string& scene;
+    const TunedScene& scene;
     const score::CurveCount& count;
-    scene::Split split;
 };
 
 std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& options) {
     const method::MethodConfig config = method::with(options.config, of.settings.settings);
     harness::Row row;
     row.method = of.settings.name;
-    row.scene = of.scene;
+    row.scene = of.scene.name;
     row.view = "(all)";
-    row.split = scene::split_name(of.split);
+    row.split = scene::split_name(of.scene.split);
+    row.scene_kind = of.scene.kind;
     row.threads = options.threads;
     row.seed = options.plan.seed;
     row.params = harness::join_params(config.info->complete(config.settings));
@@ -94,14 +94,9 @@ std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
     std::int64_t cell = 0;
     for (const TunedSettings* each : all) {
         for (std::size_t i = 0; i < each->train.size(); ++i)
-            text += line_of(cell++,
-                            {*each, result.train_scenes[i], each->train[i], scene::Split::train},
-                            options);
+            text += line_of(cell++, {*each, result.train_scenes[i], each->train[i]}, options);
         for (std::size_t i = 0; i < each->heldout.size(); ++i)
-            text += line_of(
-                cell++,
-                {*each, result.heldout_scenes[i], each->heldout[i], result.heldout_splits[i]},
-                options);
+            text += line_of(cell++, {*each, result.heldout_scenes[i], each->heldout[i]}, options);
     }
     return text;
 }

@@ -162,6 +162,7 @@ std::string some_value(const core::Param& param) {
     if (param.name == "grid.scenes") return "cube";
     if (param.name == "grid.methods") return "ids";
     if (param.name == "grid.entrants") return "mine=/tmp";
+    if (param.name == "grid.model_list") return INK_SOURCE_DIR "/experiments/models.toml";
     if (param.kind == core::ParamKind::list)
         return param.choices.empty() ? "a" : param.choices.front();
     if (param.kind == core::ParamKind::flag) return "true";

@@ -201,12 +201,17 @@ TEST_F(Tune, ModelsOfTheUserAreSearchedUnlessTheyAreUnseen) {
     with.random = false;
     with.plan.evaluations = 8;
     const TuneResult alone = tune(scenes({model.string()}), with);
-    EXPECT_EQ(alone.train_scenes, std::vector<std::string>{"roof"});
+    ASSERT_EQ(alone.train_scenes.size(), 1U);
+    EXPECT_EQ(alone.train_scenes[0].name, "roof");
     EXPECT_EQ(alone.left_out.size(), 3U);
     with.unseen = {"roof"};
     const TuneResult beside = tune(scenes({"cube", model.string()}), with);
-    EXPECT_EQ(beside.train_scenes, std::vector<std::string>{"cube"});
-    EXPECT_EQ(beside.heldout_scenes, std::vector<std::string>{"roof"});
+    ASSERT_EQ(beside.train_scenes.size(), 1U);
+    EXPECT_EQ(beside.train_scenes[0].name, "cube");
+    EXPECT_EQ(beside.train_scenes[0].kind, "shape");
+    ASSERT_EQ(beside.heldout_scenes.size(), 1U);
+    EXPECT_EQ(beside.heldout_scenes[0].name, "roof");
+    EXPECT_EQ(beside.heldout_scenes[0].split, scene::Split::real);
     EXPECT_TRUE(beside.left_out.empty());
     fs::remove(model);
 }
