@@ -11,8 +11,10 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import tomllib
 import unittest
 import zipfile
+from collections import Counter
 from pathlib import Path
 
 SOURCE = Path(os.environ.get("INKBENCH_SOURCE", Path(__file__).resolve().parents[2]))
@@ -131,10 +133,12 @@ class Fetch(unittest.TestCase):
         pack = io.BytesIO()
         with zipfile.ZipFile(pack, "w") as inner:
             inner.writestr("maps/m.obj", TRIANGLE)
-        self.desk.debian("tiny", "2-1", {"usr/share/t.obj": TRIANGLE, "usr/p.pk3": pack.getvalue()})
+        self.desk.debian("tiny", "2-1", {"usr/share/t.obj": TRIANGLE, "usr/p.pk3": pack.getvalue(),
+                                         "usr/p.sh3f": pack.getvalue()})
         self.desk.list("debian", "tiny", "2-1", ("t", "usr/share/t.obj", TRIANGLE, "copy"),
-                       ("m", "usr/p.pk3/maps/m.obj", TRIANGLE, "copy"))
-        self.expect_got(["apt-get download tiny=2-1"], "t", "m")
+                       ("m", "usr/p.pk3/maps/m.obj", TRIANGLE, "copy"),
+                       ("n", "usr/p.sh3f/maps/m.obj", TRIANGLE, "copy"))
+        self.expect_got(["apt-get download tiny=2-1"], "t", "m", "n")
 
     def test_says_what_it_could_not_get_and_why(self):
         self.desk.npm("tiny", "1.0.0", {"a.obj": TRIANGLE})
@@ -206,6 +210,14 @@ class List(unittest.TestCase):
         self.assertEqual(len(still), len(set(still)))
         self.assertEqual([], [file for file in still if file not in files])
         self.assertEqual([], [file for file in files if file not in still and f'"{file}"' not in moving])
+        listed = tomllib.loads(text)["package"]
+        models = [model for package in listed for model in package["model"] if model["file"] in still]
+        kinds = Counter(model["kind"] for model in models)
+        tuned_on = Counter(model["kind"] for model in models if model.get("split") == "train")
+        self.assertEqual((len(models), len(kinds)), (40, 10))
+        for kind, count in kinds.items():
+            self.assertGreaterEqual(count, 3, kind)
+            self.assertLessEqual(3 * tuned_on[kind], count, f"at most a third of {kind} is tuned on")
         for line in text.splitlines():
             if line.startswith("sha256"):
                 self.assertRegex(line, r'^sha256 = "[0-9a-f]{64}"$')
