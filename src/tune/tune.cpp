@@ -237,6 +237,7 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
     try {
         Tuner tuner(options, space, bench, log);
         result.defaults = {options.config.info->name, start, tuner.value_of(start), {}, {}};
+        bench.start_from(result.defaults.found.by_view);
         search(tuner.into(result.steps), space.point_of(start), options.plan);
         if (options.random) {
             random_search(tuner.into(result.random_steps), space.size(), options.plan);

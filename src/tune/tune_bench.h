@@ -106,6 +106,10 @@ class TuneBench {
         const std::vector<score::CurveCount>& by_view) const;
     /// Whose views they are.
     [[nodiscard]] const TuneViews& tune_views() const { return tune_views_; }
+    /// What gains are over (TuneViews::at_start).
+    void start_from(std::vector<score::CurveCount> by_view) {
+        tune_views_.at_start = std::move(by_view);
+    }
     /// view_counts, summed over the views of each scene.
     [[nodiscard]] std::vector<score::CurveCount> counts(const method::MethodConfig& config,
                                                         DrawnBy by = DrawnBy::method);

@@ -27,20 +27,52 @@ std::vector<std::string> groups_of(const TuneViews& views, TuneObjective objecti
     return groups;
 }
 
-/// The mean root of 1 - F over the scenes of each group.
-std::map<std::string, double> mean_roots(const std::map<std::size_t, score::CurveCount>& scenes,
-                                         const TuneViews& views,
-                                         bool is_by_kind) {
+using SceneCounts = std::map<std::size_t, score::CurveCount>;
+
+/// The mean of `value_of(scene, its counts)` over the scenes of each kind.
+template <class ValueOf>
+std::vector<double> means_of_kinds(const SceneCounts& scenes,
+                                   const TuneViews& views,
+                                   ValueOf value_of) {
     std::map<std::string, std::pair<double, int>> sums;
     for (const auto& [scene, count] : scenes) {
-        auto& sum = sums[is_by_kind ? kind_key(views, scene) : ""];
-        sum.first += std::sqrt(1 - count.f());
+        auto& sum = sums[kind_key(views, scene)];
+        sum.first += value_of(scene, count);
         ++sum.second;
     }
-    std::map<std::string, double> roots;
+    std::vector<double> means;
     for (const auto& [kind, sum] : sums)
-        roots[kind] = sum.first / sum.second;
-    return roots;
+        means.push_back(sum.first / sum.second);
+    return means;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values)
+        sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// The mean less two standard errors of it.
+double certain_mean(const std::vector<double>& values) {
+    const double mean = mean_of(values);
+    double squares = 0;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    const auto n = static_cast<double>(values.size());
+    return n < 2 ? mean : mean - 2 * std::sqrt(squares / (n - 1) / n);
+}
+
+/// Counts of the views that `is_kept` says, summed by scene.
+template <class IsKept>
+SceneCounts sums_of(const std::vector<score::CurveCount>& by_view,
+                    const TuneViews& views,
+                    IsKept is_kept) {
+    SceneCounts scenes;
+    for (std::size_t view = 0; view < by_view.size(); ++view) {
+        if (is_kept(view)) scenes[views.scene_of_view[view]] += by_view[view];
+    }
+    return scenes;
 }
 
 /// The error on the views that `is_kept` says.
@@ -49,30 +81,46 @@ double error_over(const std::vector<score::CurveCount>& by_view,
                   const TuneViews& views,
                   TuneObjective objective,
                   IsKept is_kept) {
-    std::map<std::size_t, score::CurveCount> scenes;
-    score::CurveCount pooled;
-    for (std::size_t view = 0; view < by_view.size(); ++view) {
-        if (!is_kept(view)) continue;
-        scenes[views.scene_of_view[view]] += by_view[view];
-        pooled += by_view[view];
-    }
+    const SceneCounts scenes = sums_of(by_view, views, is_kept);
     if (scenes.empty()) return 0;
-    if (objective == TuneObjective::pooled) return 1 - pooled.f();
-    double sum = 0;
-    double most = 0;
-    const auto roots = mean_roots(scenes, views, is_by_kind(objective));
-    for (const auto& [kind, root] : roots) {
-        sum += root;
-        most = std::max(most, root);
+    const auto root_of = [](std::size_t, const score::CurveCount& count) {
+        return std::sqrt(1 - count.f());
+    };
+    if (objective == TuneObjective::pooled) {
+        score::CurveCount pooled;
+        for (const auto& [scene, count] : scenes)
+            pooled += count;
+        return 1 - pooled.f();
     }
-    const double mean = sum / static_cast<double>(roots.size());
-    return objective == TuneObjective::worst ? most * most : mean * mean;
+    if (objective == TuneObjective::scenes) {
+        std::vector<double> roots;
+        for (const auto& [scene, count] : scenes)
+            roots.push_back(root_of(scene, count));
+        return mean_of(roots) * mean_of(roots);
+    }
+    if (objective == TuneObjective::certain) {
+        const SceneCounts start =
+            sums_of(views.at_start.empty() ? by_view : views.at_start, views, is_kept);
+        const auto error = [](std::size_t, const score::CurveCount& count) {
+            return 1 - count.f();
+        };
+        const auto gain = [&](std::size_t scene, const score::CurveCount& count) {
+            return count.f() - start.at(scene).f();
+        };
+        return mean_of(means_of_kinds(start, views, error)) -
+               certain_mean(means_of_kinds(scenes, views, gain));
+    }
+    const std::vector<double> roots = means_of_kinds(scenes, views, root_of);
+    const double root =
+        objective == TuneObjective::worst ? std::ranges::max(roots) : mean_of(roots);
+    return root * root;
 }
 
 }  // namespace
 
 const std::vector<std::string>& objective_names() {
-    static const std::vector<std::string> kNames = {"pooled", "scenes", "kinds", "worst", "ap"};
+    static const std::vector<std::string> kNames = {
+        "pooled", "scenes", "kinds", "worst", "certain", "ap"};
     return kNames;
 }
 
@@ -81,7 +129,8 @@ std::string_view name(TuneObjective objective) {
 }
 
 bool is_by_kind(TuneObjective objective) {
-    return objective == TuneObjective::kinds || objective == TuneObjective::worst;
+    return objective == TuneObjective::kinds || objective == TuneObjective::worst ||
+           objective == TuneObjective::certain;
 }
 
 double f_of(const std::vector<score::CurveCount>& scenes) {

@@ -23,10 +23,16 @@ enum class TuneObjective {
     scenes,
     kinds,  ///< the same over kinds of scenes, each kind's root the mean over its scenes
     worst,  ///< the error of the kind that has the largest, made as in `kinds`
-    ap,     ///< 1 - average precision at 2 px; the threshold is then the best over the same views
+    /// The mean error of kinds at the settings that the search starts from, less the gain over them
+    /// that is certain: the mean over kinds of each one's gain, less two standard errors of it.
+    ///
+    /// A mean gain may be that of one noisy scene, paid for by all others. What gains a little
+    /// nearly everywhere holds on scenes that were not searched.
+    certain,
+    ap,  ///< 1 - average precision at 2 px; the threshold is then the best over the same views
 };
 
-/// "pooled", "scenes", "kinds", "worst", "ap": as the command line has them.
+/// "pooled", "scenes", "kinds", "worst", "certain", "ap": as the command line has them.
 [[nodiscard]] const std::vector<std::string>& objective_names();
 [[nodiscard]] std::string_view name(TuneObjective objective);
 
@@ -35,6 +41,8 @@ enum class TuneObjective {
 struct TuneViews {
     std::vector<std::size_t> scene_of_view;
     std::vector<std::string> kind_of_scene;
+    /// Counts of each view at the settings that the search starts from; none: no gain.
+    std::vector<score::CurveCount> at_start = {};
 };
 
 /// F of all scenes pooled.

@@ -215,12 +215,14 @@ void add_tune_command(CLI::App& app) {
         ->type_name("PARAMS");
     add_set_option(*command, args->settings, "A fixed parameter: key=value");
     command
-        ->add_option("--objective",
-                     args->objective,
-                     "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
-                     "scenes: (mean root of each scene's error) squared, so that every scene "
-                     "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
-                     "error of the worst kind; ap: 1 - average precision")
+        ->add_option(
+            "--objective",
+            args->objective,
+            "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
+            "scenes: (mean root of each scene's error) squared, so that every scene "
+            "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
+            "error of the worst kind; certain: the mean error of kinds before the search, less "
+            "the gain that two standard errors over kinds leave; ap: 1 - average precision")
         ->type_name(fmt::format("{}", fmt::join(tune::objective_names(), "|")))
         ->capture_default_str();
     command
