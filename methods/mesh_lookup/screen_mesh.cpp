@@ -294,6 +294,11 @@ class ScreenMesh::Walk {
         std::size_t best_third = 0;
         double best_slope = 0;
         const double own_slope = slope(out, screen_.mesh_->faces[at_].vertices[(exit + 2) % 3]);
+        // Faces that lie on each other hide nothing, whichever rounding on the screen puts in
+        // front.
+        const glm::dvec3 n = glm::normalize(
+            glm::cross(b - a, p_world(screen_.mesh_->faces[at_].vertices[(exit + 2) % 3]) - a));
+        const double tolerance = screen_.mesh_->tolerance_world[screen_.mesh_->objects[at_]];
         for (auto at = std::lower_bound(many.begin(), many.end(), ManyFaces{low, high, 0});
              at != many.end() && at->a == low && at->b == high;
              ++at) {
@@ -307,7 +312,8 @@ class ScreenMesh::Walk {
             if (beside == 0) continue;
             const double grows = slope(out, v[third]);
             if (beside > 0) {
-                if (grows > own_slope) end_ = End::hidden;
+                const bool is_apart = std::abs(glm::dot(n, p_world(v[third]) - a)) > tolerance;
+                if (is_apart && grows > own_slope) end_ = End::hidden;
                 continue;
             }
             if (best != kNoNeighbour && grows <= best_slope) continue;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "catalogue/shapes.h"
 #include "scene/topology.h"
@@ -178,6 +180,37 @@ TEST(IdLookup, HairlineCracksAreClosed) {
     const auto image = drawn("id_lookup", {}, scene, {inside, 1});
     // The rasterizer's own sparkles in a T-junction are left: single samples of sky, 2 x 2 px each.
     EXPECT_LE(std::count(image.data(), image.data() + image.size(), 255), 8);
+}
+
+TEST(IdLookup, TwoSheetsOfOneObjectBackToBackAreSilent) {
+    // A seat of straw: a fan seen from above and another from below, in one plane and within one
+    // rim, from which a wall goes down. Which sheet is seen, rounding decides row by row.
+    constexpr std::uint32_t kRim = 24;
+    scene::Mesh mesh;
+    for (std::uint32_t i = 0; i < 2 * kRim; ++i) {
+        const double turn = 2 * std::numbers::pi * (i % kRim) / kRim;
+        mesh.positions.emplace_back(
+            static_cast<float>(std::cos(turn)), i < kRim ? 0.37F : 0.0F, std::sin(turn));
+    }
+    for (std::uint32_t i = 1; i + 1 < kRim; ++i) {
+        mesh.triangles.push_back({0, i + 1, i});
+        const auto from = [](std::uint32_t j) { return (j + kRim / 3) % kRim; };
+        mesh.triangles.push_back({from(0), from(i), from(i + 1)});
+    }
+    for (std::uint32_t i = 0; i < kRim; ++i) {
+        const std::uint32_t next = (i + 1) % kRim;
+        mesh.triangles.push_back({i, next, kRim + next});
+        mesh.triangles.push_back({i, kRim + next, kRim + i});
+    }
+    const scene::Scene scene = scene_of({mesh});
+    for (int i = 0; i < 120; ++i) {
+        const double turn = 0.37 * i;
+        const glm::dvec3 eye{3 * std::cos(turn), 0.6 + 0.01 * i, 3 * std::sin(turn)};
+        const scene::View view = view_from(scene, eye, {0, 0.2, 0}, {320, 180});
+        const core::Image<LineKind> kinds = classes_of(scene, view);
+        const auto* const end = kinds.data() + kinds.size();
+        EXPECT_EQ(std::count(kinds.data(), end, LineKind::intersection), 0) << i;
+    }
 }
 
 /// Three walls that meet at an edge, as an open book has, and a floor that coincides with another.
