@@ -16,6 +16,7 @@
 #include "report/run_page.h"
 #include "report/text/verdict.h"
 #include "studies/axis_summary.h"
+#include "studies/hardest/hardest_table.h"
 #include "summary/summary.h"
 #include "summary/summary_csv.h"
 
@@ -87,8 +88,12 @@ report::VerdictOptions verdict_options(const experiment::RunRecord& record) {
     return {record.answer, static_cast<int>(record.missing_blocks.size()), record.blocks};
 }
 
+/// A run of views that were chosen because they are bad is no comparison.
+bool is_comparison(const experiment::RunData& run) {
+    return !run.tables.rows.empty() && run.tables.hardest.empty();
+}
+
 void print_comparison(const experiment::RunTables& tables, const experiment::RunRecord& record) {
-    if (tables.rows.empty()) return;
     const harness::Row& first = tables.rows.front();
     if (!record.one_place) {
         fmt::print(
@@ -120,7 +125,7 @@ void print_warnings(const experiment::RunRecord& record,
 
 /// verdict.md of a comparison of one size and number of threads.
 void write_verdict_of(const experiment::RunData& run) {
-    if (run.tables.rows.empty()) return;
+    if (!is_comparison(run)) return;
     core::write_whole_file(run.folder / "verdict.md",
                            report::verdict_markdown(run.tables.rows, verdict_options(run.record)));
 }
@@ -146,7 +151,8 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     if (is_json) {
         fmt::print("{}\n", result_json(run, unscored, page).dump(2));
     } else {
-        print_comparison(run.tables, run.record);
+        if (is_comparison(run)) print_comparison(run.tables, run.record);
+        fmt::print("{}", studies::hardest_text(run.tables.hardest));
         fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
         if (!run.tables.bounds.empty())
             fmt::print("{}", linear_code::bound_table(run.tables.bounds));

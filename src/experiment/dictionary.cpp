@@ -11,6 +11,7 @@
 #include "linear_code/cancellation_study.h"
 #include "studies/axis_summary.h"
 #include "studies/axis_tables.h"
+#include "studies/hardest/hardest_table.h"
 #include "studies/motion_table.h"
 #include "studies/roll_axis.h"
 #include "studies/timedemo.h"
@@ -27,7 +28,7 @@ harness::TableInfo run_record() {
         "What was asked of the run, and which build and machine answered. Not a table: these are "
         "its keys.",
         {{"name", "", "of the run"},
-         {"kind", "", "compare, stress, animation, bound or tune"},
+         {"kind", "", "compare, stress, animation, bound, hardest or tune"},
          {"command", "", "as typed, without the options that say where results go"},
          {"identity", "", "hash of all that rows depend on, the build included"},
          {"build", "", "version and commit of the program"},
@@ -92,6 +93,7 @@ std::vector<harness::TableInfo> dictionary() {
             studies::axes_table(),
             studies::axis_summary_table(),
             studies::faults_table(),
+            studies::hardest_table(),
             studies::motion_table(),
             studies::lives_table(),
             studies::creases_table(),

@@ -16,7 +16,8 @@
 namespace ink::experiment {
 
 std::string_view name(ExperimentKind kind) {
-    constexpr std::array<std::string_view, 4> kNames = {"compare", "stress", "animation", "bound"};
+    constexpr std::array<std::string_view, 5> kNames = {
+        "compare", "stress", "animation", "bound", "hardest"};
     return kNames.at(static_cast<std::size_t>(kind));
 }
 
@@ -59,6 +60,18 @@ std::vector<std::string> scenes_called(const std::string& name) {
         if (is_all || scene::split_name(entry.split) == name) names.push_back(entry.name);
     }
     return names;
+}
+
+void add_searched_methods(Experiment& experiment) {
+    std::vector<std::string> names = experiment.hardest.methods;
+    if (!experiment.hardest.against.empty()) names.push_back(experiment.hardest.against);
+    names.insert(names.end(), experiment.methods.begin(), experiment.methods.end());
+    experiment.methods.clear();
+    for (std::string& name : names) {
+        const auto& methods = experiment.methods;
+        if (std::find(methods.begin(), methods.end(), name) == methods.end())
+            experiment.methods.push_back(std::move(name));
+    }
 }
 
 std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {

@@ -18,10 +18,10 @@ namespace ink::experiment {
 
 /// What is computed: `compare` draws methods on views, and may study motion, scaling and skips
 /// beside; `stress` draws along axes of difficulty; `animation` on sequences; `bound` searches the
-/// best weights of a linear code.
-enum class ExperimentKind { compare, stress, animation, bound };
+/// best weights of a linear code; `hardest` the views on which a method is worst.
+enum class ExperimentKind { compare, stress, animation, bound, hardest };
 
-/// "compare", "stress", "animation", "bound": as files and run.toml have it.
+/// "compare", "stress", "animation", "bound", "hardest": as files and run.toml have it.
 [[nodiscard]] std::string_view name(ExperimentKind kind);
 
 /// Of which views a comparison keeps images: none, the first of each scene, or all.
@@ -33,6 +33,16 @@ struct BoundRequest {
     int least_threshold = 0;      ///< codes; 0: the least that the filter draws
     double gap = 0.005;           ///< the search stops where upper and found are this close,
     std::int64_t boxes = 100000;  ///< or after so many boxes of weights
+};
+
+/// What a search for the hardest views is asked for (studies/hardest/hardest_view.h). All of these
+/// methods take part, so that the views that are found show them all.
+struct HardestRequest {
+    std::vector<std::string> methods = {};  ///< each searched by itself
+    std::string against = {};               ///< the method that these are to lose to; "" for none
+    int evaluations = 200;                  ///< of each scene and method
+    int least_truth_px = 200;
+    int worst = 5;  ///< views kept of each scene and method
 };
 
 /// Every combination of some settings of one method.
@@ -61,7 +71,7 @@ struct Experiment {
     std::vector<method::MethodConfig> own_methods = {};
     std::vector<ImageSize> sizes;       ///< one at least
     std::vector<int> threads = {1};     ///< of the methods
-    std::vector<std::string> scenes;    ///< built-in scenes or model files; compare, animation
+    std::vector<std::string> scenes;    ///< built-in scenes or model files; not of stress
     harness::ViewRequest view_request;  ///< from where scenes are seen; its size is not read
     std::string model_list = {};        ///< the file that `view_request.listed` is of, or ""
     int views = 0;                      ///< the first of each scene; 0: all
@@ -85,6 +95,7 @@ struct Experiment {
     bool study_scaling = false;  ///< compare: scaling_axes.h too
     bool study_skips = false;    ///< compare: skip_axes.h too
     BoundRequest bound;
+    HardestRequest hardest;
     int repetitions = 15;        ///< timed drawings, at most
     double budget_ms = 60;       ///< of drawing, after which repetitions end
     bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
@@ -101,6 +112,10 @@ struct Experiment {
 /// The same from text; `file` is for messages and for models beside it.
 [[nodiscard]] Experiment parse_experiment(const std::string& text,
                                           const std::filesystem::path& file);
+
+/// Lets the methods that are searched for their hardest views, and the one they are compared with,
+/// take part, before those that do.
+void add_searched_methods(Experiment& experiment);
 
 /// The methods that take part, presets and entrants last, with the settings that each knows, and
 /// the truth's crease angle where they follow it (methods::follow_crease). Throws core::Error for a

@@ -111,11 +111,11 @@ void read_sweep(methods::TomlReader& sweep, Experiment& experiment) {
 ExperimentKind read_kind(methods::TomlReader& file) {
     const std::string kind = file.text("kind").value_or("");
     using enum ExperimentKind;
-    for (const ExperimentKind each : {compare, stress, animation})
+    for (const ExperimentKind each : {compare, stress, animation, hardest})
         if (name(each) == kind) return each;
     throw core::Error(file.where("kind"),
                       kind.empty() ? "there is no kind" : fmt::format("kind cannot be {}", kind),
-                      "compare | stress | animation");
+                      "compare | stress | animation | hardest");
 }
 
 std::string read_name(methods::TomlReader& file) {
@@ -142,18 +142,20 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     experiment.name = read_name(reader);
     experiment.kind = read_kind(reader);
     if (experiment.kind == ExperimentKind::compare) experiment.scenes = scenes_called("catalogue");
+    if (experiment.kind == ExperimentKind::hardest) experiment.times = false;
     experiment.sizes = {{640, 360}};
     const std::vector<std::string> tables = {
-        "name", "kind", "grid", "measure", "answer", "study", "settings", "sweep"};
+        "name", "kind", "grid", "measure", "answer", "study", "search", "settings", "sweep"};
     read_options(reader, "", tables, experiment);
     const toml::table none;
     const auto part = [&](const char* name) {
         return reader.table(name).value_or(methods::TomlReader(none, file, name));
     };
-    for (const char* name : {"grid", "measure", "answer", "study"}) {
+    for (const char* name : {"grid", "measure", "answer", "study", "search"}) {
         methods::TomlReader table = part(name);
         read_options(table, name, {}, experiment);
     }
+    if (experiment.kind == ExperimentKind::hardest) add_searched_methods(experiment);
     if (experiment.methods.empty())
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");

@@ -101,7 +101,8 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
     plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));
     const harness::TraceOptions trace = trace_of(experiment, cache);
-    constexpr std::array kPlanners = {plan_compare, plan_stress, plan_animation, plan_bound};
+    constexpr std::array kPlanners = {
+        plan_compare, plan_stress, plan_animation, plan_bound, plan_hardest};
     kPlanners.at(static_cast<std::size_t>(experiment.kind))(experiment, trace, plan);
     if (plan.blocks.empty()) {
         throw core::Error(experiment.where,

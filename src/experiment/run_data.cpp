@@ -20,6 +20,7 @@
 #include "harness/tables/sweep_table.h"
 #include "linear_code/bound_tables.h"
 #include "studies/axis_tables.h"
+#include "studies/hardest/hardest_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -84,6 +85,7 @@ RunTables parse_tables(const Texts& texts, const std::string& where) {
         for (const auto& of : studies::read_faults(*csv, index))
             faults[of.row.cell] = of.faults;
     }
+    if (const auto csv = table("hardest.csv")) run.hardest = studies::hardest_table().read(*csv);
     if (const auto csv = table("bound.csv")) run.bounds = linear_code::read_bounds(*csv, index);
     for (harness::RowRecord& record : records) {
         if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});

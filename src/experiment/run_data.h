@@ -10,6 +10,7 @@
 #include "linear_code/linear_bound_study.h"
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
+#include "studies/hardest/hardest_view.h"
 
 namespace ink::experiment {
 
@@ -20,6 +21,7 @@ struct RunTables {
     std::vector<harness::Row> sweep;            ///< a row per setting, method and swept view
     std::vector<studies::AxisRow> on_axes;      ///< of every study that is axes
     std::vector<linear_code::BoundRow> bounds;
+    std::vector<studies::HardestLook> hardest;  ///< of a search for the hardest views
 };
 
 /// Reads tables from their texts, by file name, headings included. Throws core::Error (where =

@@ -23,6 +23,7 @@ constexpr double kPrecision = 0.02;
 
 ViewBench::ViewBench(const Experiment& experiment,
                      harness::TraceOptions trace,
+                     std::vector<harness::SceneViews> scenes,
                      std::size_t triangles_at_once)
     : experiment_(experiment),
       trace_(std::move(trace)),
@@ -30,15 +31,26 @@ ViewBench::ViewBench(const Experiment& experiment,
       triangles_at_once_(triangles_at_once) {
     trace_.crosscheck = experiment.crosscheck;
     skips_ = harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
+    add_scenes(experiment.sizes.front(), std::move(scenes));
+}
+
+ViewBench::ViewBench(const Experiment& experiment,
+                     harness::TraceOptions trace,
+                     std::size_t triangles_at_once)
+    : ViewBench(
+          experiment, std::move(trace), std::vector<harness::SceneViews>{}, triangles_at_once) {
     for (const ImageSize& size : experiment.sizes) {
         harness::ViewRequest request = experiment.view_request;
         request.width_px = size.width_px;
         request.height_px = size.height_px;
-        std::vector<harness::SceneViews> scenes = harness::load_scenes(experiment.scenes, request);
-        for (std::size_t s = 0; s < scenes.size(); ++s) {
-            views_[{s, size.width_px, size.height_px}] = std::move(scenes[s].views);
-            if (scenes_.size() == s) scenes_.push_back(std::move(scenes[s].scene));
-        }
+        add_scenes(size, harness::load_scenes(experiment.scenes, request));
+    }
+}
+
+void ViewBench::add_scenes(const ImageSize& size, std::vector<harness::SceneViews> scenes) {
+    for (std::size_t s = 0; s < scenes.size(); ++s) {
+        views_[{s, size.width_px, size.height_px}] = std::move(scenes[s].views);
+        if (scenes_.size() == s) scenes_.push_back(std::move(scenes[s].scene));
     }
     desks_.resize(scenes_.size());
 }

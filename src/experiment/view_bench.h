@@ -28,6 +28,12 @@ class ViewBench {
               harness::TraceOptions trace,
               std::size_t triangles_at_once = harness::kTrianglesAtOnce);
 
+    /// The same of scenes and views that are there already, of the first of its sizes.
+    ViewBench(const Experiment& experiment,
+              harness::TraceOptions trace,
+              std::vector<harness::SceneViews> scenes,
+              std::size_t triangles_at_once = harness::kTrianglesAtOnce);
+
     [[nodiscard]] const Experiment& experiment() const { return experiment_; }
     [[nodiscard]] const std::vector<method::MethodConfig>& configs() const { return configs_; }
     [[nodiscard]] const std::vector<scene::Scene>& scenes() const { return scenes_; }
@@ -58,6 +64,9 @@ class ViewBench {
     void release(std::size_t scene);
 
   private:
+    /// Adds views of one size, and the scenes if these are the first.
+    void add_scenes(const ImageSize& size, std::vector<harness::SceneViews> scenes);
+
     /// What is kept of one scene.
     struct Desk {
         std::unique_ptr<truth::SceneModel> model = {};

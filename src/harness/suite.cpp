@@ -27,25 +27,6 @@ bool is_catalogue_name(const std::string& what) {
     return core::find_named(catalogue::catalogue(), what) != nullptr;
 }
 
-scene::Camera make_camera(const CameraRequest& request,
-                          const glm::dvec3& origin,
-                          const scene::Sphere& bounds) {
-    const double fov_y_rad = request.fov_y_rad.value_or(scene::Camera{}.fov_y_rad);
-    if (!(fov_y_rad >= 1 * kRadPerDeg && fov_y_rad <= 170 * kRadPerDeg)) {
-        throw core::Error(
-            "--fov",
-            fmt::format("the field of view cannot be {:g} degrees", fov_y_rad / kRadPerDeg),
-            "1..170");
-    }
-    const glm::dvec3 target_world =
-        request.target_world ? *request.target_world - origin : bounds.center_world;
-    scene::Camera camera =
-        scene::look_at(request.eye_world - origin, target_world, request.up_world, fov_y_rad);
-    camera.height_world = request.height_world.value_or(0);
-    scene::fit_clip_range(camera, bounds);
-    return camera;
-}
-
 std::vector<scene::Camera> asked_cameras(const ViewRequest& request,
                                          const glm::dvec3& origin,
                                          const scene::Sphere& bounds) {
@@ -179,6 +160,25 @@ void pose_as_asked(scene::Scene& scene, const ViewRequest& request) {
 }
 
 }  // namespace
+
+scene::Camera make_camera(const CameraRequest& request,
+                          const glm::dvec3& origin,
+                          const scene::Sphere& bounds) {
+    const double fov_y_rad = request.fov_y_rad.value_or(scene::Camera{}.fov_y_rad);
+    if (!(fov_y_rad >= 1 * kRadPerDeg && fov_y_rad <= 170 * kRadPerDeg)) {
+        throw core::Error(
+            "--fov",
+            fmt::format("the field of view cannot be {:g} degrees", fov_y_rad / kRadPerDeg),
+            "1..170");
+    }
+    const glm::dvec3 target_world =
+        request.target_world ? *request.target_world - origin : bounds.center_world;
+    scene::Camera camera =
+        scene::look_at(request.eye_world - origin, target_world, request.up_world, fov_y_rad);
+    camera.height_world = request.height_world.value_or(0);
+    scene::fit_clip_range(camera, bounds);
+    return camera;
+}
 
 void check_size(int width_px, int height_px) {
     const bool is_good = width_px >= 1 && height_px >= 1 && width_px <= kMaxSide_px &&

@@ -73,6 +73,12 @@ struct SceneViews {
                                       const import::ModelChoice& choice = {},
                                       const import::ImportLimits& limits = {});
 
+/// The camera that `request` asks for on a scene of that origin (Scene::origin) and ball; without a
+/// name. Throws core::Error for a field of view outside 1..170 degrees, and as scene::look_at does.
+[[nodiscard]] scene::Camera make_camera(const CameraRequest& request,
+                                        const glm::dvec3& origin,
+                                        const scene::Sphere& bounds);
+
 /// The views of `scene` that `request` asks for.
 ///
 /// Without a request: a catalogue scene's own, a model's three from all around. Two scenes of one

@@ -41,19 +41,19 @@ class Tuner {
     }
 
     /// An objective that notes its evaluations in `steps`.
-    [[nodiscard]] SearchObjective into(std::vector<TuneStep>& steps) {
+    [[nodiscard]] search::SearchObjective into(std::vector<TuneStep>& steps) {
         tried_.clear();
         best_ = 2;
         return [this, &steps](const char* phase, const std::vector<double>& point) {
             const core::ParamValues settings = space_.settings_at(point);
             const auto known = tried_.find(settings);
-            if (known != tried_.end()) return SearchValue{known->second, false};
+            if (known != tried_.end()) return search::SearchValue{known->second, false};
             progress_.report(done_++, progress_text(phase));
             const TuneValue found = candidate(settings);
             best_ = std::min(best_, found.value);
             tried_[settings] = found.value;
             steps.push_back({phase, settings, found});
-            return SearchValue{found.value, true};
+            return search::SearchValue{found.value, true};
         };
     }
 
@@ -238,9 +238,9 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
         Tuner tuner(options, space, bench, log);
         result.defaults = {options.config.info->name, start, tuner.value_of(start), {}, {}};
         bench.start_from(result.defaults.found.by_view);
-        search(tuner.into(result.steps), space.point_of(start), options.plan);
+        search::search(tuner.into(result.steps), space.point_of(start), options.plan);
         if (options.random) {
-            random_search(tuner.into(result.random_steps), space.size(), options.plan);
+            search::random_search(tuner.into(result.random_steps), space.size(), options.plan);
         }
     } catch (const Interrupted&) {
         result.is_interrupted = true;

@@ -10,10 +10,10 @@
 #include "harness/tracing.h"
 #include "method/method_config.h"
 #include "score/score.h"
+#include "search/search.h"
 #include "tune/tune_bench.h"
 #include "tune/tune_log.h"
 #include "tune/tune_objective.h"
-#include "tune/tune_search.h"
 #include "tune/tune_space.h"
 
 namespace ink::tune {
@@ -25,7 +25,7 @@ struct TuneOptions {
     /// Settings whose median drawing takes longer are out. Times are measured, so a search with a
     /// budget depends on the machine.
     std::optional<double> budget_ms;
-    SearchPlan plan;
+    search::SearchPlan plan;
     /// Names of scenes that are only scored, though they might be searched.
     std::set<std::string> unseen;
     bool random = true;  ///< also a random search of as many evaluations and the same seed

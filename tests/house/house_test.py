@@ -24,7 +24,7 @@ LIBRARIES = {
     "CLI11": ("CLI/", ("src/cli/",), 0),
     "pybind11": ("pybind11/", ("src/python/",), 0),
     "xxHash": ("xxhash.h", (), 1),
-    "NLopt": ("nlopt", ("src/tune/",), 0),
+    "NLopt": ("nlopt", ("src/search/",), 0),
     "toml++": ("toml++/", ("src/experiment/", "src/tune/", "methods/", "tests/"), 0),
 }
 

@@ -21,6 +21,7 @@
 #include "methods/method_configs.h"
 #include "methods/presets.h"
 #include "report/run_page.h"
+#include "search/search.h"
 #include "tune/tune.h"
 #include "tune/tune_bound.h"
 #include "tune/tune_objective.h"
@@ -112,8 +113,8 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     }
     options.budget_ms = args.budget_ms;
     check_count("--evaluations", args.evaluations, 1, 1000000);
-    check_choice("--global", args.global, tune::global_searches());
-    check_choice("--local", args.local, tune::local_searches());
+    check_choice("--global", args.global, search::global_searches());
+    check_choice("--local", args.local, search::local_searches());
     options.plan = {.evaluations = args.evaluations,
                     .seed = asked.seed,
                     .global = args.global,
@@ -235,10 +236,10 @@ void add_tune_command(CLI::App& app) {
         ->capture_default_str();
     args->options.add_to(*command, {"seed"}, "Of the search");
     command->add_option("--global", args->global, "Search for the first 60 % of the evaluations")
-        ->type_name(fmt::format("{}", fmt::join(tune::global_searches(), "|")))
+        ->type_name(fmt::format("{}", fmt::join(search::global_searches(), "|")))
         ->capture_default_str();
     command->add_option("--local", args->local, "Search for the rest")
-        ->type_name(fmt::format("{}", fmt::join(tune::local_searches(), "|")))
+        ->type_name(fmt::format("{}", fmt::join(search::local_searches(), "|")))
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "Skip the random search with as many evaluations");

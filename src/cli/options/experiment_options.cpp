@@ -9,11 +9,6 @@
 namespace ink::cli {
 namespace {
 
-/// "--axes" of "--axes,--axis": how messages call an option.
-std::string first_spelling(const std::string& flag) {
-    return flag.substr(0, flag.find(','));
-}
-
 /// As help has it; nothing for what has no value.
 std::string usual_text(const experiment::Experiment& usual, std::size_t row) {
     const std::vector<std::string> texts = experiment::option_table().texts(usual, row);
@@ -59,7 +54,7 @@ experiment::Experiment ExperimentOptions::read() const {
         if (texts.empty()) continue;
         const std::size_t row = table.row(name);
         const core::Param& param = table.param(row);
-        const std::string where = first_spelling(table.options[row].flag);
+        const std::string where = flag_of(name);
         const std::vector<std::string> named =
             param.choices.empty() || param.kind != core::ParamKind::list
                 ? texts
@@ -70,6 +65,12 @@ experiment::Experiment ExperimentOptions::read() const {
         table.rows.set(experiment, row, given, "it");
     }
     return experiment;
+}
+
+std::string flag_of(const std::string& row) {
+    const experiment::OptionTable& table = experiment::option_table();
+    const std::string& flag = table.options[table.row(row)].flag;
+    return flag.substr(0, flag.find(','));
 }
 
 const std::vector<std::string>& truth_rows() {

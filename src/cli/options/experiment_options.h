@@ -36,6 +36,9 @@ class ExperimentOptions {
     std::map<std::string, std::vector<std::string>> given_;  ///< by row
 };
 
+/// How messages call the option of a row: "--axes" of "--axes,--axis".
+[[nodiscard]] std::string flag_of(const std::string& row);
+
 /// The rows that say what a truth is.
 [[nodiscard]] const std::vector<std::string>& truth_rows();
 

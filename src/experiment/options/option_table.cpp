@@ -30,8 +30,9 @@ constexpr unsigned kCompare = bit(ExperimentKind::compare);
 constexpr unsigned kStress = bit(ExperimentKind::stress);
 constexpr unsigned kAnimation = bit(ExperimentKind::animation);
 constexpr unsigned kBound = bit(ExperimentKind::bound);
+constexpr unsigned kHardest = bit(ExperimentKind::hardest);
 constexpr unsigned kTimed = kCompare | kStress | kBound;
-constexpr unsigned kAll = kCompare | kStress | kAnimation | kBound;
+constexpr unsigned kAll = kTimed | kAnimation | kHardest;
 
 constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
@@ -75,6 +76,10 @@ void read_methods(Experiment& experiment, const Given& methods) {
         const Texts& names = experiment.methods;
         return std::find(names.begin(), names.end(), grid.method) == names.end();
     });
+}
+
+std::string found_method(const core::GivenText& name) {
+    return at_place(name.where, [&] { return methods::find_method(name.text).name; });
 }
 
 void read_entrants(Experiment& experiment, const Given& entrants) {
@@ -166,7 +171,7 @@ OptionTable make_table() {
         [](E& e, const Given& given) { e.seed = parse_seed(given.front()); },
         [](const E& e) { return Texts{fmt::format("{}", e.seed)}; });
 
-    in(kCompare | kAnimation | kBound).texts(
+    in(kCompare | kAnimation | kBound | kHardest).texts(
         {.name = "grid.scenes", .kind = Kind::list, .unit = "SCENE",
          .doc = "Built-in scenes or model files; train, heldout or catalogue"},
         read_scenes, names_text<&E::scenes>);
@@ -196,12 +201,12 @@ OptionTable make_table() {
          .doc = "Threads a method may use while it is timed"},
         read_threads, threads_text);
     table.options.back().is_once = true;
-    in(kCompare | kAnimation | kBound, "--model-list").texts(
+    in(kCompare | kAnimation | kBound | kHardest, "--model-list").texts(
         {.name = "grid.model_list", .kind = Kind::text, .unit = "FILE",
          .doc = "Says of model files which kind of thing they are, and on which settings were "
                 "found: a TOML file like experiments/models.toml"},
         read_listed_models, model_list_text);
-    in(kCompare | kAnimation | kBound).choice(
+    in(kCompare | kAnimation | kBound | kHardest).choice(
         [](auto& e) -> auto& { return e.view_request.model.material_seams; },
         "grid.seams", {"objects", "materials"},
         "Where a smooth surface has seams: between objects of a model file, or between their "
@@ -237,7 +242,7 @@ OptionTable make_table() {
     in(kCompare).flag(
         &E::full_scores, "measure.full_scores",
         "Curves, tolerance sweep, bins and causes; else F at 2 px alone");
-    in(kCompare, "--no-crosscheck,--no-witness").flag(
+    in(kCompare | kHardest, "--no-crosscheck,--no-witness").flag(
         &E::crosscheck, "measure.crosscheck", "Skip the independent check of the ground truth");
     in(kCompare, "--entrant-seconds").number(
         &E::entrant_s, "measure.entrant_seconds", {0.01, 86400}, "SECONDS",
@@ -289,6 +294,34 @@ OptionTable make_table() {
         &E::study_skips, "study.skips",
         "Also measure how much time each skip saves, on scenes made for it: rows of study skips "
         "and a part of the report");
+
+    in(kHardest, "--hardest", "method").texts(
+        {.name = "search.methods", .kind = Kind::list,
+         .choices = core::names_of(methods::registry()), .unit = "METHOD",
+         .doc = "Search eye, target, field of view and moment of each scene for the view on which "
+                "this method has the least F at 2 px; of several, each by itself"},
+        [](E& e, const Given& given) {
+            e.hardest.methods.clear();
+            for (const core::GivenText& text : given)
+                e.hardest.methods.push_back(found_method(text));
+        },
+        [](const E& e) { return e.hardest.methods; });
+    in(kHardest, "--against").texts(
+        {.name = "search.against", .kind = Kind::text, .unit = "METHOD",
+         .doc = "Search for the view on which it loses most F to this method"},
+        [](E& e, const Given& given) { e.hardest.against = found_method(given.front()); },
+        [](const E& e) {
+            return e.hardest.against.empty() ? Texts{} : Texts{e.hardest.against};
+        });
+    in(kHardest, "--evaluations").number(
+        [](auto& e) -> auto& { return e.hardest.evaluations; }, "search.evaluations", {1, 1e6},
+        "N", "Views to look at, of each scene and method");
+    in(kHardest, "--least-truth").number(
+        [](auto& e) -> auto& { return e.hardest.least_truth_px; }, "search.least_truth_px",
+        {1, 1e6}, "PX", "A view with fewer true pixels that count is none");
+    in(kHardest, "--worst").number(
+        [](auto& e) -> auto& { return e.hardest.worst; }, "search.worst", {1, 100}, "N",
+        "Views that are kept of each scene and method, 10 degrees apart at least");
 
     in(kBound, "--signed").flag(
         [](auto& e) -> auto& { return e.bound.is_signed; }, "bound.signed",

@@ -3,7 +3,7 @@
 
 function drawHeader(root, view) {
     const {run, best} = view;
-    const [lead, ...more] = run.rows.length ? verdictSentences(view) : [runWords(run)];
+    const [lead, ...more] = run.rows.length && !run.has('hardest.csv') ? verdictSentences(view) : [runWords(run)];
     root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
@@ -11,7 +11,7 @@ function drawHeader(root, view) {
         element('h1', {}, headline(view)),
         lead ? element('p', {class: 'lead'}, lead) : null,
         unscoredWarning(),
-        best ? element('details', {class: 'more', 'data-name': 'more'},
+        best && more.length ? element('details', {class: 'more', 'data-name': 'more'},
             element('summary', {}, `${count(view.contestants.length, 'method')}, ${count(best.views, 'view')} of ` +
                 `${scenesText(view, best.scenes)} with a score, ${run.rows[0].width} × ${run.rows[0].height} px: more`),
             more.map(text => element('p', {}, text)),
@@ -21,13 +21,15 @@ function drawHeader(root, view) {
 
 function runWords(run) {
     const words = {stress: 'How errors grow along axes of difficulty.', animation: 'How methods behave in motion.',
-                   tune: 'A search for better settings.', bound: 'The best that four weights could reach.'};
+                   tune: 'A search for better settings.', bound: 'The best that four weights could reach.',
+                   hardest: 'The views on which a method is worst: a promise is no better than its worst view.'};
     return words[run.record.kind] || '';
 }
 
 function headline(view) {
     const {run} = view;
     if (runs.length > 1) return `${runs.length} runs beside each other: ${runs.map(r => r.label).join(', ')}`;
+    if (run.has('hardest.csv')) return hardestWords(run);
     if (run.rows.length) return answerWords(view)[0];
     return run.record.name === run.record.kind ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
 }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <set>
 
-#include "experiment/compare_blocks.h"
 #include "experiment/experiment_plan.h"
+#include "experiment/plans/compare_blocks.h"
 #include "experiment/view_bench.h"
 #include "harness/sweep.h"
 #include "harness/tables/cost_tables.h"

@@ -1,4 +1,4 @@
-#include "tune/tune_search.h"
+#include "search/search.h"
 
 #include <nlopt.h>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-namespace ink::tune {
+namespace ink::search {
 namespace {
 
 /// Settings are rounded, so a search may ask for one again and again: at most so many questions for
@@ -141,4 +141,4 @@ void random_search(const SearchObjective& objective, std::size_t size, const Sea
     }
 }
 
-}  // namespace ink::tune
+}  // namespace ink::search

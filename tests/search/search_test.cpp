@@ -1,11 +1,11 @@
-#include "tune/tune_search.h"
+#include "search/search.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-namespace ink::tune {
+namespace ink::search {
 namespace {
 
 using Point = std::vector<double>;
@@ -41,7 +41,7 @@ Trail searched(const SearchPlan& plan, std::size_t size = 3) {
     return trail;
 }
 
-TEST(TuneSearch, EveryPairOfSearchesComesNearTheLowestPoint) {
+TEST(Search, EveryPairOfSearchesComesNearTheLowestPoint) {
     for (const std::string& global : global_searches()) {
         for (const std::string& local : local_searches()) {
             const Trail trail =
@@ -51,7 +51,7 @@ TEST(TuneSearch, EveryPairOfSearchesComesNearTheLowestPoint) {
     }
 }
 
-TEST(TuneSearch, UsesItsEvaluationsAndNoMore) {
+TEST(Search, UsesItsEvaluationsAndNoMore) {
     const Trail trail = searched({.evaluations = 150, .seed = 1});
     EXPECT_EQ(trail.points.size(), 150U);
     EXPECT_EQ(trail.phases.front(), "start");
@@ -68,13 +68,13 @@ TEST(TuneSearch, UsesItsEvaluationsAndNoMore) {
     EXPECT_EQ(searched({.evaluations = 30}, 1).points.size(), 30U) << "one parameter alone";
 }
 
-TEST(TuneSearch, TheSeedDecidesTheTrail) {
+TEST(Search, TheSeedDecidesTheTrail) {
     const Trail a = searched({.evaluations = 120, .seed = 5});
     EXPECT_EQ(a.points, searched({.evaluations = 120, .seed = 5}).points);
     EXPECT_NE(a.points, searched({.evaluations = 120, .seed = 6}).points);
 }
 
-TEST(TuneSearch, AFunctionOfFewValuesEndsTheSearchToo) {
+TEST(Search, AFunctionOfFewValuesEndsTheSearchToo) {
     // Nothing is new after the first: a search that waits for new values would not end.
     int calls = 0;
     search(
@@ -87,7 +87,7 @@ TEST(TuneSearch, AFunctionOfFewValuesEndsTheSearchToo) {
     EXPECT_LE(calls, 50 * 20 + 10);
 }
 
-TEST(TuneSearch, WhatTheObjectiveThrowsComesThrough) {
+TEST(Search, WhatTheObjectiveThrowsComesThrough) {
     int calls = 0;
     const SearchObjective objective = [&](const char*, const Point& x) {
         if (++calls == 20) throw std::runtime_error("stop here");
@@ -97,7 +97,7 @@ TEST(TuneSearch, WhatTheObjectiveThrowsComesThrough) {
     EXPECT_EQ(calls, 20);
 }
 
-TEST(TuneSearch, RandomPointsAreEvenOverTheCubeAndTheSameForASeed) {
+TEST(Search, RandomPointsAreEvenOverTheCubeAndTheSameForASeed) {
     Trail a;
     random_search(a.objective(), 2, {.evaluations = 1000, .seed = 4});
     Trail b;
@@ -117,4 +117,4 @@ TEST(TuneSearch, RandomPointsAreEvenOverTheCubeAndTheSameForASeed) {
 }
 
 }  // namespace
-}  // namespace ink::tune
+}  // namespace ink::search

@@ -1,4 +1,4 @@
-#include "experiment/compare_blocks.h"
+#include "experiment/plans/compare_blocks.h"
 
 #include <algorithm>
 #include <memory>

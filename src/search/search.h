@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace ink::tune {
+namespace ink::search {
 
 /// What is looked for the lowest value of, over the unit cube.
 struct SearchValue {
@@ -45,4 +45,4 @@ void search(const SearchObjective& objective,
 /// beat.
 void random_search(const SearchObjective& objective, std::size_t size, const SearchPlan& plan);
 
-}  // namespace ink::tune
+}  // namespace ink::search
