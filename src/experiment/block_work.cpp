@@ -103,13 +103,9 @@ std::vector<BlockWork::Group> BlockWork::missing_groups() const {
 /// One lane where others would be noticed by what is timed.
 void BlockWork::try_neighbours() {
     if (lanes_ == 1) return;
-    std::string loop;
-    if (plan_.times) {
-        const double ratio = harness::measure_disturbance(lanes_ - 1);
-        loop = fmt::format(" (a timed loop takes {:.3f} x beside {} others)", ratio, lanes_ - 1);
-        if (ratio > harness::kNoDisturbance) lanes_ = 1;
-    }
-    lanes_text_ = fmt::format(" on {} lane{}{}", lanes_, lanes_ == 1 ? "" : "s", loop);
+    if (!plan_.times || harness::measure_disturbance(lanes_ - 1) <= harness::kNoDisturbance) return;
+    lanes_ = 1;
+    lanes_text_ = ", one scene at a time: others would spoil the times on this machine";
 }
 
 bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& say) {

@@ -41,8 +41,8 @@ class BlockWork {
     /// an end was asked for before all was there. Rethrows what a block throws.
     [[nodiscard]] bool run(int lanes, const std::function<void(const std::string&)>& say);
 
-    /// On how many lanes it ran, and why if others would have disturbed what is timed:
-    /// " on 2 lanes (...)"; "" where only one could be.
+    /// The end of a sentence where scenes had to be worked on one at a time, because others would
+    /// have disturbed what is timed; else "".
     [[nodiscard]] const std::string& lanes_text() const { return lanes_text_; }
 
     /// What the blocks that were computed spent their time on.

@@ -79,7 +79,8 @@ std::string agreement_line(const TuneResult& result) {
         });
     const PlaneAgreement& agreement = *result.agreement;
     return fmt::format(
-        "drawn from planes: {} of {} evaluations; every new best was drawn by the method itself\n  "
+        "{} of {} evaluations took a short cut; every new best was checked with the whole method\n "
+        " "
         "at the tuned settings {:.4f} % of the pixels differ, E by {:+.6f}\n\n",
         n_planes,
         result.steps.size(),

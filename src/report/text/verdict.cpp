@@ -130,8 +130,8 @@ std::string sample_warning(const char* baseline,
     }
     if (better.empty()) return "";
     return fmt::format(
-        "Warning: {} above `{}` (F {}), one exact sample a pixel. Lines here pass between the "
-        "samples, where methods of one sample a pixel find them by luck or by drawing wide.",
+        "Warning: {} above `{}` (F {}), one exact sample a pixel. Some things here "
+        "are thinner than a pixel: one sample finds them by chance, so other views may score less.",
         better,
         baseline,
         core::format_share(exact->f_2px));

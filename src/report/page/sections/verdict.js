@@ -63,7 +63,7 @@ function drawSampledWarning(root, view) {
             (line.info.params.samples === 'corner') === (name === 'exact_corner'));
         if (!better.length) continue;
         root.append(warningBox('Above one exact sample a pixel.',
-            `Lines pass between the samples here. Methods of one sample a pixel find them by luck or by drawing wide. ` +
+            `Some things here are thinner than a pixel: one sample finds them by chance, so other views may score less. ` +
             `${name} has ${formatShare(exact.value)}.`,
             better.map(line => `${line.info.name}: ${formatShare(line.value)}`)));
     }
