@@ -13,27 +13,12 @@
 #include "draw/palette.h"
 #include "edge/thin.h"
 #include "edge/threshold.h"
+#include "methods/antialias.h"
 
 namespace ink::draw {
 namespace {
 
 constexpr double kHandWidth_px = 2;  // unless a width is asked for
-
-/// The scene's first view, n x n its size.
-scene::View enlarged_view(const harness::SceneViews& scene_views, int n) {
-    scene::View view = scene_views.views.front();
-    const std::int64_t width = std::int64_t{view.width_px} * n;
-    const std::int64_t height = std::int64_t{view.height_px} * n;
-    if (width > 16384 || height > 16384 || width * height > (std::int64_t{1} << 27)) {
-        throw core::Error(
-            "--antialias",
-            fmt::format("{} times {}x{} is too large", n, view.width_px, view.height_px),
-            "at most 16384 a side and 2^27 pixels in all");
-    }
-    view.width_px = static_cast<int>(width);
-    view.height_px = static_cast<int>(height);
-    return view;
-}
 
 std::unique_ptr<method::Method> make_ready(const harness::SceneViews& scene_views,
                                            const method::MethodConfig& config) {
@@ -104,7 +89,7 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
                      const method::MethodConfig& config,
                      const DrawOptions& options) {
     const int n = options.antialias;
-    const scene::View view = enlarged_view(scene_views, n);
+    const scene::View view = methods::enlarged(scene_views.views.front(), n);
     const int threshold = method::threshold_of(config);
     const shade::Ink ink{options.ink.value_or(kInk.rgb), threshold};
     const edge::EdgeImage lines =

@@ -15,6 +15,7 @@ struct MethodConfig {
     /// Keeps `info` where it is a row of no registry, but a preset of the user's.
     std::shared_ptr<const MethodInfo> owned = nullptr;
     bool is_outside = false;  ///< its images and times come from elsewhere (OutsideMethod)
+    bool is_grey = false;     ///< its edge responses are shares of pixels, not strengths
 };
 
 /// "key=value" or "method.key=value", as it is written.

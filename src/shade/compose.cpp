@@ -107,16 +107,15 @@ core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& edge_responses,
     core::Image<std::uint8_t> result(width, height);
     const std::vector<DiscRow> rows = disc_rows(diameter_px);
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
+        visit_drawn(edge_responses, y, [&](int x) {
             const std::uint8_t edge_response = edge_responses.row(y)[x];
-            if (edge_response == 0) continue;
             for (const DiscRow& row : rows) {
                 if (y + row.y < 0 || y + row.y >= height) continue;
                 std::uint8_t* to = result.row(y + row.y);
                 for (int i = std::max(x + row.x0, 0); i < std::min(x + row.x1, width); ++i)
                     to[i] = std::max(to[i], edge_response);
             }
-        }
+        });
     }
     return result;
 }
