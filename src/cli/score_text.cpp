@@ -2,9 +2,12 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "cli/json_values.h"
 #include "core/text_table.h"
@@ -52,6 +55,40 @@ Json counts_json(const score::Score& s) {
     return result;
 }
 
+/// The numbers of grey lines by the names of rows.csv.
+std::vector<std::pair<const char*, std::optional<double>>> ink_numbers(
+    const score::SoftScore& soft) {
+    return {{"soft_f", soft.f()},
+            {"ink_line_width_px", soft.line_width_px},
+            {"ink_matched_px", soft.matched_px},
+            {"ink_misplaced_px", soft.misplaced_px},
+            {"ink_surplus_px", soft.surplus_px},
+            {"ink_missing_px", soft.missing_px}};
+}
+
+void add_ink(const std::optional<score::SoftScore>& soft, Json& of) {
+    if (!soft) return;
+    for (const auto& [name, value] : ink_numbers(*soft))
+        of[name] = or_null(value);
+}
+
+std::string ink_lines(const score::SoftScore& soft) {
+    return fmt::format(
+        "\n  soft F      {:>6}   of grey lines {} px wide; in px^2:\n"
+        "  {:.1f} drawn = {:.1f} matched + {:.1f} misplaced + {:.1f} surplus\n"
+        "  {:.1f} true = {:.1f} matched + {:.1f} misplaced + {:.1f} missing\n",
+        four_places(soft.f()),
+        soft.line_width_px,
+        soft.drawn_px(),
+        soft.matched_px,
+        soft.misplaced_px,
+        soft.surplus_px,
+        soft.true_px(),
+        soft.matched_px,
+        soft.misplaced_px,
+        soft.missing_px);
+}
+
 std::string polarity_of(const draw::FilesScore& scored) {
     return scored.is_inverted ? "dark lines on light" : "light lines on dark";
 }
@@ -60,6 +97,7 @@ std::string polarity_of(const draw::FilesScore& scored) {
 
 std::string score_json(const draw::FilesScore& scored) {
     Json result = counts_json(scored.score);
+    add_ink(scored.soft, result);
     result["polarity"] = scored.is_inverted ? "dark" : "light";
     result["band"] = scored.options.band_px;
     result["ignore"] =
@@ -101,6 +139,7 @@ std::string score_table(const std::filesystem::path& prediction,
         s.false_negatives);
     text += fmt::format("  mean width  {:>6} px\n",
                         s.mean_width_px > 0 ? fmt::format("{:.2f}", s.mean_width_px) : "-");
+    if (scored.soft) text += ink_lines(*scored.soft);
     if (s.classes.empty()) return text;
     text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
     for (const score::ClassCount& c : s.classes) {
@@ -154,6 +193,7 @@ std::string folder_json(const std::vector<draw::FolderScore>& scores,
     for (const draw::FolderScore& each : scores) {
         Json image = each.score ? counts_json(*each.score) : Json::object();
         image["status"] = each.status;
+        add_ink(each.soft, image);
         if (each.score) {
             image["notes"] = each.notes;
             image["doubts"] = each.doubts;
@@ -172,29 +212,37 @@ std::string folder_json(const std::vector<draw::FolderScore>& scores,
 std::string folder_csv(const std::vector<draw::FolderScore>& scores) {
     std::string text =
         "image,status,f,precision,recall,k,n_pred,n_truth,unmatched_duplicates,false_positives,"
-        "unmatched_truth,false_negatives,mean_width_px\n";
+        "unmatched_truth,false_negatives,mean_width_px";
+    const bool has_ink = std::any_of(
+        scores.begin(), scores.end(), [](const auto& each) { return each.soft.has_value(); });
+    for (const auto& [name, value] : ink_numbers({}))
+        if (has_ink) text += fmt::format(",{}", name);
+    text += "\n";
     const auto number = [](std::optional<double> value) {
         return value ? fmt::format("{}", *value) : "";
     };
     for (const draw::FolderScore& each : scores) {
         text += harness::csv_field(each.name) + "," + harness::csv_field(each.status);
         if (!each.score) {
-            text += ",,,,,,,,,,,\n";
-            continue;
+            text += ",,,,,,,,,,,";
+        } else {
+            const score::Score& s = *each.score;
+            text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}",
+                                s.f(),
+                                number(s.precision()),
+                                number(s.recall()),
+                                s.k,
+                                s.n_pred,
+                                s.n_truth,
+                                s.unmatched_duplicates,
+                                s.false_positives,
+                                s.unmatched_truth,
+                                s.false_negatives,
+                                number(mean_width(s)));
         }
-        const score::Score& s = *each.score;
-        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}\n",
-                            s.f(),
-                            number(s.precision()),
-                            number(s.recall()),
-                            s.k,
-                            s.n_pred,
-                            s.n_truth,
-                            s.unmatched_duplicates,
-                            s.false_positives,
-                            s.unmatched_truth,
-                            s.false_negatives,
-                            number(mean_width(s)));
+        for (const auto& [name, value] : ink_numbers(each.soft.value_or(score::SoftScore{})))
+            if (has_ink) text += "," + (each.soft ? number(value) : "");
+        text += "\n";
     }
     return text;
 }

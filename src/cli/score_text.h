@@ -8,7 +8,8 @@
 
 namespace ink::cli {
 
-/// One score as JSON, with the names of folder_csv's columns. For one release the names of before
+/// One score as JSON, with the names of folder_csv's columns, and those of rows.csv for the ink of
+/// grey lines. For one release the names of before
 /// stand beside them: surplus, off_line, lost, missing, mean_width.
 [[nodiscard]] std::string score_json(const draw::FilesScore& scored);
 

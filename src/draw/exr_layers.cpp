@@ -13,6 +13,7 @@
 #include "harness/tracing.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
+#include "score/coverage.h"
 #include "truth/cracks.h"
 
 namespace ink::draw {
@@ -125,7 +126,13 @@ void write_truth_exr(const TruthOrigin& truth_origin,
         truth::draw_cracks(truth.curves, truth.labels.width_px(), truth.labels.height_px());
     file.channels.push_back({"crack.right", whole_numbers(cracks.right)});
     file.channels.push_back({"crack.below", whole_numbers(cracks.below)});
+    file.channels.push_back({kCoverageChannel,
+                             score::draw_coverage(truth.curves,
+                                                  truth.labels.width_px(),
+                                                  truth.labels.height_px(),
+                                                  score::kLineWidth_px)});
     file.attributes = origin(truth_origin.scene_views);
+    file.attributes.push_back({kLineWidthAttribute, score::kLineWidth_px});
     append(facts_of_truth(truth_origin), file.attributes);
     image_io::write_exr(file, path);
 }

@@ -12,6 +12,10 @@
 
 namespace ink::draw {
 
+/// What the EXR of a truth calls the share of each pixel that its lines cover, and their width.
+inline constexpr const char* kCoverageChannel = "coverage.Y";
+inline constexpr const char* kLineWidthAttribute = "ink:line_width_px";
+
 /// Where a truth comes from, as its file says it.
 struct TruthOrigin {
     const harness::SceneViews& scene_views;  ///< has the traced view first
@@ -23,12 +27,13 @@ struct TruthOrigin {
 ///
 /// Channels: `R G B` (HALF, linear light) the classes in colour, `Z` (FLOAT) the distance along the
 /// view direction, infinity before the sky; `class.label` (UINT) the labels, `class.below_crease`
-/// (UINT) 1 at intersections that bend by less than the crease angle, `crack.right` and
+/// (UINT) 1 at intersections that bend by less than the crease angle, `coverage.Y` (FLOAT) the
+/// share of each pixel that all curves cover, drawn score::kLineWidth_px wide, `crack.right` and
 /// `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
 /// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
 /// and `exact_corner.Y` (HALF) 0 or 1. What the truth was traced without is left out. The header
 /// names scene, view, camera (`worldToCamera`, eye, field of view, near), crease angle, ignore
-/// label, band, command, program and commit.
+/// label, band, width of the covering lines, command, program and commit.
 ///
 /// Throws core::Error if the file cannot be written.
 void write_truth_exr(const TruthOrigin& truth_origin,

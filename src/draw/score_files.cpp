@@ -57,6 +57,21 @@ void check_sizes(const Named<harness::OutlineImage>& prediction,
     }
 }
 
+void check_coverage(const Named<TruthLabels>& truth, double line_width_px) {
+    if (truth.held.coverage.is_empty()) {
+        throw core::Error(truth.name,
+                          "it does not say what its lines cover",
+                          "the .exr of inkbench truth -o, or --model MODEL");
+    }
+    if (truth.held.line_width_px == line_width_px) return;
+    throw core::Error("--line-width",
+                      fmt::format("{} covers lines {} px wide, not {}",
+                                  truth.name,
+                                  truth.held.line_width_px,
+                                  line_width_px),
+                      fmt::format("{}, or --model MODEL", truth.held.line_width_px));
+}
+
 std::vector<std::string> doubts_of_prediction(const std::string& name,
                                               const FilesScore& scored,
                                               const score::ScoringTruth& truth) {
@@ -120,6 +135,7 @@ FilesScore score_outline(Named<harness::OutlineImage> prediction,
         request.band_px.value_or(truth.held.band_px.value_or(request.options.band_px));
     score::check(scored.options);
     check_sizes(prediction, truth, scored.options.band_px);
+    if (request.line_width_px) check_coverage(truth, *request.line_width_px);
     scored.doubts = doubts_of_truth(truth, request.intersections);
     scored.responses = std::move(prediction.held.responses);
     scored.is_inverted = prediction.held.is_inverted;
@@ -128,6 +144,13 @@ FilesScore score_outline(Named<harness::OutlineImage> prediction,
     score::ScoringTruth prepared = score::prepare_truth(scored.labels, scored.options, false);
     if (truth.held.has_classes) prepared.is_binary = false;
     scored.score = score::score(scored.responses, prepared, scored.options);
+    if (request.line_width_px) {
+        scored.soft = score::score_ink(
+            score::ink_of(scored.responses),
+            score::prepare_ink(
+                std::move(truth.held.coverage), *request.line_width_px, prepared, scored.options),
+            scored.options);
+    }
     const auto of_prediction = doubts_of_prediction(prediction.name, scored, prepared);
     scored.doubts.insert(scored.doubts.begin(), of_prediction.begin(), of_prediction.end());
     if (scored.score.n_truth == 0) scored.doubts.emplace(scored.doubts.begin(), kNoTruth);

@@ -9,6 +9,7 @@
 #include "harness/outline_image.h"
 #include "score/intersections.h"
 #include "score/score.h"
+#include "score/soft_score.h"
 
 namespace ink::draw {
 
@@ -21,12 +22,15 @@ struct TruthLabels {
     std::string command = {};              ///< that traced it, without size and output; or ""
     /// How many of its pixels are intersections below the crease angle that count all the same.
     int below_crease_px = 0;
+    /// The share of each pixel that its lines cover, drawn so wide (score/coverage.h); or empty.
+    core::Image<float> coverage = {};
+    double line_width_px = 0;
 };
 
 /// Reads a truth: an 8-bit image of classes, or the EXR of `inkbench truth -o` (channel
 /// class.label). Both of these name their ignore label and band. In an EXR intersections that
 /// `intersections` does not count become the ignore label; in an image they are what they were when
-/// it was traced.
+/// it was traced. An EXR has the coverage, too.
 ///
 /// Throws core::Error for a file that cannot be read, an EXR without that channel, and an image in
 /// colour: that is a preview for people, no truth.
@@ -41,6 +45,8 @@ struct ScoreRequest {
     /// Its ignore label and band are those of the truth file where the caller names none.
     score::ScoreOptions options = {};
     std::optional<int> band_px = {};  ///< instead of options.band_px; default: the file's, else 0
+    /// The image is scored as grey lines, too, against true ones of this width.
+    std::optional<double> line_width_px = {};
 };
 
 /// Why there is no F, and what may help.
@@ -52,8 +58,9 @@ inline constexpr const char* kNoTruth =
 /// What came of a prediction and a truth.
 struct FilesScore {
     score::Score score;
-    score::ScoreOptions options;  ///< as they were used
-    bool is_inverted = false;     ///< the prediction was taken as dark lines on light
+    std::optional<score::SoftScore> soft;  ///< of grey lines, where it was asked for
+    score::ScoreOptions options;           ///< as they were used
+    bool is_inverted = false;              ///< the prediction was taken as dark lines on light
     core::Image<std::uint8_t> labels;
     edge::EdgeImage responses;
     std::vector<std::string> notes;  ///< how the prediction was read (harness::OutlineImage)
@@ -73,7 +80,8 @@ struct Named {
 ///
 /// Throws core::Error, before any scoring, for options outside their range, files that are not
 /// what read_outline_image and read_truth_labels take, two sizes (both files and sizes are named,
-/// and the command that traces the right truth) or a band that leaves nothing of the image.
+/// and the command that traces the right truth), a band that leaves nothing of the image, and a
+/// truth without the coverage that was asked for.
 [[nodiscard]] FilesScore score_files(const std::filesystem::path& prediction,
                                      const std::filesystem::path& truth,
                                      const ScoreRequest& request);

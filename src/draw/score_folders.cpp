@@ -91,6 +91,7 @@ std::vector<FolderScore> score_folders(
                 continue;
             }
             result.score = scored.score;
+            result.soft = scored.soft;
             on_scored(name, scored);
         } catch (const core::Error& error) {
             result.status = error.what();

@@ -15,8 +15,9 @@ struct FolderScore {
     std::string name;           ///< its path within the folder, without its ending
     std::string status = "ok";  ///< or why it has no score
     std::optional<score::Score> score = {};
-    std::vector<std::string> notes = {};   ///< how the image was read (FilesScore::notes)
-    std::vector<std::string> doubts = {};  ///< what seems to be wrong (FilesScore::doubts)
+    std::vector<std::string> notes = {};        ///< how the image was read (FilesScore::notes)
+    std::vector<std::string> doubts = {};       ///< what seems to be wrong (FilesScore::doubts)
+    std::optional<score::SoftScore> soft = {};  ///< of grey lines (FilesScore::soft)
 
     [[nodiscard]] bool is_scored() const { return score.has_value(); }
 };

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "draw/exr_layers.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "truth/line_class.h"
@@ -16,10 +17,10 @@ namespace {
 using Gray = core::Image<std::uint8_t>;
 
 /// The channel called `name`, or null.
-const core::Image<std::uint32_t>* find_channel(const image_io::ExrFile& file,
-                                               std::string_view name) {
+template <class T>
+const core::Image<T>* find_channel(const image_io::ExrFile& file, std::string_view name) {
     for (const image_io::ExrChannel& channel : file.channels) {
-        if (channel.name == name) return std::get_if<core::Image<std::uint32_t>>(&channel.pixels);
+        if (channel.name == name) return std::get_if<core::Image<T>>(&channel.pixels);
     }
     return nullptr;
 }
@@ -44,7 +45,7 @@ std::optional<int> find_number(const image_io::Texts& texts, const char* name) {
 
 TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersections intersections) {
     const image_io::ExrFile file = image_io::read_exr(path);
-    const auto* labels = find_channel(file, "class.label");
+    const auto* labels = find_channel<std::uint32_t>(file, "class.label");
     if (labels == nullptr) {
         throw core::Error(path.string(),
                           "it has no channel class.label of whole numbers",
@@ -61,7 +62,11 @@ TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersecti
                    [](std::uint32_t label) {
                        return static_cast<std::uint8_t>(std::min<std::uint32_t>(label, 255));
                    });
-    const auto* below = find_channel(file, "class.below_crease");
+    if (const auto* coverage = find_channel<float>(file, kCoverageChannel)) {
+        truth.coverage = *coverage;
+        truth.line_width_px = find_attribute<double>(file, kLineWidthAttribute).value_or(0);
+    }
+    const auto* below = find_channel<std::uint32_t>(file, "class.below_crease");
     if (below == nullptr || intersections == score::Intersections::all) return truth;
     for (std::size_t i = 0; i < truth.labels.size(); ++i) {
         if (below->data()[i] != 0)

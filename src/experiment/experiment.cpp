@@ -104,7 +104,7 @@ std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
         }
     }
     methods::follow_crease(experiment.crease_deg, configs);
-    return configs;
+    return methods::at_each_antialias(configs, experiment.antialias, experiment.line_width_px);
 }
 
 std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment) {

@@ -9,7 +9,9 @@
 
 #include "core/param.h"
 #include "harness/suite.h"
+#include "methods/antialias.h"
 #include "methods/method_configs.h"
+#include "score/coverage.h"
 #include "score/intersections.h"
 #include "studies/axis.h"
 #include "summary/answer.h"
@@ -102,6 +104,12 @@ struct Experiment {
     bool crosscheck = true;      ///< hold truths against the cross-check
     bool times = true;           ///< false: columns of times stay empty
     summary::AnswerRule answer;  ///< compare: how it is chosen; no row depends on it
+    // Compare:
+    /// How many samples a pixel the methods draw, each choice a method of its own.
+    std::vector<methods::Antialias> antialias = {methods::Antialias::none};
+    bool coverage = false;  ///< score grey lines too
+    /// Of grey lines: of the true ones, and of those that methods draw with several samples.
+    double line_width_px = score::kLineWidth_px;
 };
 
 /// Reads an experiment. Throws core::Error (where = file and line) that names key, value and what

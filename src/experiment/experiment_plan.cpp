@@ -100,6 +100,11 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.times = experiment.times;
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
     plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));
+    for (const ImageSize& size : experiment.sizes) {
+        for (const methods::Antialias antialias : experiment.antialias)
+            (void)methods::enlarged({{}, size.width_px, size.height_px},
+                                    methods::samples_per_side(antialias));  // or too large
+    }
     const harness::TraceOptions trace = trace_of(experiment, cache);
     constexpr std::array kPlanners = {
         plan_compare, plan_stress, plan_animation, plan_bound, plan_hardest};

@@ -74,6 +74,7 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     options.measure.budget_s = experiment_.budget_ms * 1e-3;
     options.measure.precision = kPrecision;
     options.measure.skips = skips_;
+    if (experiment_.coverage) options.line_width_px = experiment_.line_width_px;
     return options;
 }
 

@@ -54,6 +54,7 @@ std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
         evaluations[i].row = method.row();
         evaluations[i].image = std::move(images[i]);
         evaluations[i].threshold = method.threshold();
+        evaluations[i].is_grey = method.config().is_grey || method.config().is_outside;
         if (method.failure().empty()) evaluations[i].code = method.method().code();
         if (!times[i].failure.empty()) evaluations[i].row.status = times[i].failure;
         fill_skips(times[i], turns[i].skips, evaluations[i].row);
@@ -166,6 +167,7 @@ void check_baselines(const std::vector<Evaluation>& evaluations,
         if (!row.is_ok()) continue;
         expect(row.f_2px, "");
         expect(row.f_1px, " within 1 px");
+        expect(row.soft ? row.soft->f() : std::nullopt, " of ink");
         expect(f_of(row.above_crease_2px), " without flat intersections");
         expect(f_of(row.all_intersections_2px), " with all intersections");
     }

@@ -21,6 +21,7 @@ struct Evaluation {
     Row row;
     edge::EdgeImage image;
     int threshold = 128;
+    bool is_grey = false;  ///< the image holds shares of pixels, not strengths
     std::optional<method::LinearCode> code;
     Scored scored;
 };

@@ -18,6 +18,7 @@
 #include "score/attribution.h"
 #include "score/intersections.h"
 #include "score/score.h"
+#include "score/soft_score.h"
 
 namespace ink::harness {
 
@@ -57,6 +58,7 @@ struct Row {
     std::map<std::string, double> recall_by_class;
     std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
     std::map<std::string, std::int64_t> k_by_class = {};         ///< and what it is made from
+    std::optional<score::SoftScore> soft = {};  ///< of grey lines; nothing unless asked for
     std::optional<double> mean_width_px;
     std::optional<double> ap;
     std::int64_t k_2px = 0;  ///< counts at 2 px, so that values can be pooled

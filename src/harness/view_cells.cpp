@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "harness/grey_lines.h"
 #include "harness/intersection_scores.h"
 #include "harness/unscored_view.h"
 #include "harness/view_lists.h"
@@ -160,6 +161,8 @@ void finish_evaluations(const scene::Scene& scene,
     } else {
         score_briefly(traced.truth, evaluations);
     }
+    if (options.line_width_px && options.scores != Scores::settings)
+        score_grey_lines(traced.truth, *options.line_width_px, evaluations);
     if (options.scores_crowded && emptiness(traced.truth).empty()) return;
     note_crowded(traced.truth, evaluations);
 }

@@ -33,6 +33,9 @@ struct CellOptions {
     /// true pixel that counts. In brief scores only.
     bool scores_crowded = false;
     Scores scores = Scores::full;
+    /// Grey lines are scored too, against true lines of this width; not where `scores` is settings
+    /// or none.
+    std::optional<double> line_width_px = {};
 };
 
 /// What is drawn of a view: every method at every set of skips, as many methods in turns as are

@@ -133,6 +133,9 @@ const Keywords& compare_keywords() {
                              "measure.crosscheck",
                              "measure.full_scores",
                              "measure.skips_off",
+                             "grid.antialias",
+                             "measure.coverage",
+                             "measure.line_width_px",
                              "seed"},
                             {},
                             true};

@@ -146,6 +146,9 @@ def compare(
     crosscheck: bool = True,
     full_scores: bool = True,
     skips_off: Sequence[str] = (),
+    antialias: Union[str, Sequence[str]] = "none",
+    coverage: bool = False,
+    line_width_px: float = 1.5,
     seed: int = 0,
     **views: Unpack[_Views],
 ) -> list[dict[str, Any]]: ...

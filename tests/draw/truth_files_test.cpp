@@ -11,6 +11,7 @@
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "methods/method_configs.h"
+#include "score/coverage.h"
 #include "tests/core/temp_folder.h"
 #include "tests/report/markup.h"
 #include "tests/scene/small_meshes.h"
@@ -74,12 +75,17 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
     const auto* sampled = channel<image_io::HalfImage>(file, "sampled.Y");
     const auto* corner = channel<image_io::HalfImage>(file, "exact_corner.Y");
     const auto* red = channel<image_io::HalfImage>(file, "R");
-    ASSERT_TRUE(label && below_crease && triangle && patch && depth && facing && sampled &&
-                corner && red);
+    const auto* coverage = channel<Floats>(file, kCoverageChannel);
+    ASSERT_TRUE(coverage && label && below_crease && triangle && patch && depth && facing &&
+                sampled && corner && red);
     EXPECT_EQ(*triangle, truth.layers.triangle);
     EXPECT_EQ(*patch, truth.layers.patch);
     EXPECT_EQ(*depth, truth.layers.w);
     EXPECT_EQ(*facing, truth.layers.n_dot_v);
+    EXPECT_EQ(
+        *coverage,
+        score::draw_coverage(
+            truth.curves, truth.labels.width_px(), truth.labels.height_px(), score::kLineWidth_px));
     std::size_t lines = 0;
     for (std::size_t i = 0; i < label->size(); ++i) {
         EXPECT_EQ(label->data()[i], truth.labels.data()[i]);
@@ -103,8 +109,8 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     const fs::path path = folder / "truth_labels.exr";
     write_truth_exr({scene_views}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
-    EXPECT_EQ(file.channels.size(), 7U)
-        << "R, G, B, class.label, class.below_crease, crack.right and crack.below";
+    EXPECT_EQ(file.channels.size(), 8U)
+        << "R, G, B, class.label, class.below_crease, coverage.Y, crack.right and crack.below";
     using Ids = core::Image<std::uint32_t>;
     const auto* right = channel<Ids>(file, "crack.right");
     ASSERT_NE(right, nullptr);

@@ -155,6 +155,30 @@ TEST(ExperimentFile, CommandLineReplacesSizeScenesMethodsAndViews) {
         << "a comparison has no axes";
 }
 
+TEST(ExperimentFile, EachAntialiasIsAMethodOfItsOwn) {
+    const Experiment e =
+        parse(std::string(kHead) +
+              "[grid]\nantialias = [\"none\", \"resolve16\"]\n[measure]\ncoverage = true\n");
+    EXPECT_TRUE(e.coverage);
+    std::vector<std::string> names;
+    for (const method::MethodConfig& config : configs_of(e))
+        names.push_back(config.info->name);
+    Experiment plain = e;
+    plain.antialias = {methods::Antialias::none};
+    const std::size_t half = configs_of(plain).size();
+    ASSERT_EQ(names.size(), 2 * half);
+    for (std::size_t i = 0; i < half; ++i)
+        EXPECT_EQ(names[half + i], names[i] + "_resolve16");
+    const auto of = [](const std::string& more) { return error_of(std::string(kHead) + more); };
+    EXPECT_THAT(of("[grid]\nantialias = [\"resolve9\"]\n"),
+                testing::AllOf(HasSubstr("resolve9"), HasSubstr("none, resolve4, resolve16")));
+    EXPECT_THAT(of("[grid]\nantialias = [\"none\", \"none\"]\n"), HasSubstr("twice"));
+    EXPECT_THAT(of("[measure]\nline_width_px = 5\n"), HasSubstr("0.25..4"));
+    Experiment large = e;
+    large.sizes = {{8000, 90}};
+    EXPECT_THROW((void)make_plan(large, {}), core::Error);
+}
+
 /// A value of every option as text: its least for a number, its last word for a choice.
 std::string some_value(const core::Param& param) {
     if (param.name == "seed" || param.name == "grid.threads") return "7";
@@ -215,7 +239,7 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
         }
         EXPECT_LT(work_s, 1800) << entry.path();
     }
-    EXPECT_EQ(files, 7);
+    EXPECT_EQ(files, 8);
 }
 
 }  // namespace

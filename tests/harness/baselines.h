@@ -1,6 +1,7 @@
 #pragma once
 
 #include "harness/view_cells.h"
+#include "score/coverage.h"
 
 namespace ink::harness {
 
@@ -28,6 +29,7 @@ inline std::vector<Evaluation> baselines_of(
     request.height_px = size_px.second;
     CellOptions options;
     options.trace.crosscheck = false;
+    options.line_width_px = score::kLineWidth_px;
     options.trace.intersections = intersections;
     return baselines_of(make_scene_views(load_scene(scene), request), options, is_full);
 }

@@ -20,7 +20,9 @@ std::vector<std::size_t> columns_of_f() {
     std::vector<std::size_t> columns;
     const auto& all = rows_table().info().columns;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].name.starts_with("f_") && all[i].name != "f_random_2px") columns.push_back(i);
+        const std::string& name = all[i].name;
+        const bool is_f = name.starts_with("f_") && name != "f_random_2px";
+        if (is_f || name == "soft_f") columns.push_back(i);
     }
     return columns;
 }

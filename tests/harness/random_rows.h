@@ -70,6 +70,9 @@ inline void fill_random_scores(RandomValues& any, Row& row) {
     row.above_crease_2px = any.maybe(count);
     row.all_intersections_2px = any.maybe(count);
     row.with_crowded_2px = any.maybe(count);
+    row.soft = any.maybe([&any] {
+        return score::SoftScore{any.share(), any.share(), any.share(), any.share(), any.share()};
+    });
     for (const core::Term& group : core::vocabulary().recall_groups) {
         if (any.coin()) continue;
         const std::string key(group.name);

@@ -92,6 +92,7 @@ void add_compare_command(CLI::App& app) {
     command->add_flag(
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
     options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
+    options.add_to(*command, {"grid.antialias", "measure.coverage", "measure.line_width_px"});
     options.add_to(*command,
                    {"seed",
                     "measure.crosscheck",

@@ -16,6 +16,7 @@
 #include "draw/image_output.h"
 #include "experiment/experiment_plan.h"
 #include "harness/out_folder.h"
+#include "score/coverage.h"
 
 namespace ink::cli {
 namespace {
@@ -95,13 +96,19 @@ draw::FilesScore score_against_model(const ScoreArguments& a,
     const TracedView traced(harness::load_one_view(a.model, a.view, request),
                             experiment::trace_of(a.options.read(), cache_folder(a.cache)));
     truth_name = fmt::format("{}, view {}", a.model, traced.view().camera.name);
-    return draw::score_outline({a.prediction.string(), std::move(image)},
-                               {truth_name,
-                                {traced.truth.counted_labels(),
-                                 static_cast<int>(truth::LineClass::ignore),
-                                 harness::kBand_px,
-                                 true}},
-                               a.request);
+    draw::TruthLabels truth{traced.truth.counted_labels(),
+                            static_cast<int>(truth::LineClass::ignore),
+                            harness::kBand_px,
+                            true};
+    if (a.request.line_width_px) {
+        truth.line_width_px = *a.request.line_width_px;
+        truth.coverage = score::draw_coverage(traced.truth.traced.curves,
+                                              traced.view().width_px,
+                                              traced.view().height_px,
+                                              truth.line_width_px);
+    }
+    return draw::score_outline(
+        {a.prediction.string(), std::move(image)}, {truth_name, std::move(truth)}, a.request);
 }
 
 void write_tables(const ScoreArguments& a, const std::vector<draw::FolderScore>& scores) {
@@ -119,6 +126,7 @@ void score_pair(const ScoreArguments& a, const CLI::App& command) {
     draw::FolderScore line{a.prediction.filename().string()};
     if (scored.score.n_truth > 0) {
         line.score = scored.score;
+        line.soft = scored.soft;
     } else {
         line.status = draw::kNoTruth;
     }
@@ -160,7 +168,9 @@ void score_all(const ScoreArguments& a) {
 void run_score(ScoreArguments a, const CLI::App& command) {
     a.request.options.thin = !a.no_thin;
     a.request.polarity = asked_polarity(a);
-    a.request.intersections = a.options.read().intersections;
+    const experiment::Experiment asked = a.options.read();
+    a.request.intersections = asked.intersections;
+    if (asked.coverage) a.request.line_width_px = asked.line_width_px;
     if (a.fail_under && !(*a.fail_under >= 0 && *a.fail_under <= 1)) {
         throw core::Error(
             "--fail-under", fmt::format("{} is no value of F", *a.fail_under), "0..1");
@@ -217,7 +227,10 @@ void add_scoring_options(CLI::App& command, ScoreArguments& a) {
                        a.request.options.ignore_label,
                        "Truth value, 1..255, that is neither required nor penalised (default: what "
                        "the truth says, else none)");
-    a.options.add_to(command, {"measure.intersections"});
+    a.options.add_to(command, {"measure.intersections", "measure.coverage"});
+    a.options.add_to(command,
+                     {"measure.line_width_px"},
+                     "Width of the true lines with --coverage; that of a truth file is 1.5");
 }
 
 /// What is traced instead of reading a truth.

@@ -113,6 +113,13 @@ Texts sizes_text(const Experiment& experiment) {
     return texts;
 }
 
+Texts antialias_text(const Experiment& experiment) {
+    Texts texts;
+    for (const methods::Antialias antialias : experiment.antialias)
+        texts.emplace_back(methods::kAntialiasNames[static_cast<std::size_t>(antialias)]);
+    return texts;
+}
+
 Texts projections_text(const Experiment& experiment) {
     Texts texts;
     for (const scene::ProjectionKind kind : experiment.view_request.projections)
@@ -206,6 +213,14 @@ OptionTable make_table() {
          .doc = "Says of model files which kind of thing they are, and on which settings were "
                 "found: a TOML file like experiments/models.toml"},
         read_listed_models, model_list_text);
+    in(kCompare, "--antialias", "antialias").texts(
+        {.name = "grid.antialias", .kind = Kind::list,
+         .choices = {methods::kAntialiasNames.begin(), methods::kAntialiasNames.end()},
+         .unit = "NAMES",
+         .doc = "Samples of a pixel that methods draw: none, resolve4 (2 x 2) or resolve16 (4 x 4), "
+                "averaged; of several each is a method of its own, NAME_resolve4 (default: none)"},
+        [](E& e, const Given& given) { e.antialias = methods::parse_antialias(given); },
+        antialias_text);
     in(kCompare | kAnimation | kBound | kHardest).choice(
         [](auto& e) -> auto& { return e.view_request.model.material_seams; },
         "grid.seams", {"objects", "materials"},
@@ -242,6 +257,15 @@ OptionTable make_table() {
     in(kCompare).flag(
         &E::full_scores, "measure.full_scores",
         "Curves, tolerance sweep, bins and causes; else F at 2 px alone");
+    in(kCompare, "--coverage").flag(
+        &E::coverage, "measure.coverage",
+        "Score grey lines, too: soft_f of each pixel's drawn share against the share that the true "
+        "lines cover, with missing, surplus and misplaced ink");
+    in(kCompare, "--line-width").number(
+        &E::line_width_px, "measure.line_width_px",
+        {score::kLeastLineWidth_px, score::kMostLineWidth_px}, "PX",
+        "Width of grey lines: of the true ones with --coverage, and of those that methods draw with "
+        "--antialias");
     in(kCompare | kHardest, "--no-crosscheck,--no-witness").flag(
         &E::crosscheck, "measure.crosscheck", "Skip the independent check of the ground truth");
     in(kCompare, "--entrant-seconds").number(

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -45,6 +46,14 @@ struct BlockWork {
     bool is_full = false;  ///< methods with baselines; else settings, scored briefly
 };
 
+/// Samples that a method draws of a pixel, in the mean.
+double mean_samples(const Experiment& experiment) {
+    double sum = 0;
+    for (const methods::Antialias antialias : experiment.antialias)
+        sum += std::pow(methods::samples_per_side(antialias), 2);
+    return sum / static_cast<double>(experiment.antialias.size());
+}
+
 /// Seconds for a block of a view, roughly, on two cores without other work: a part for every cell,
 /// one for its pixels (scores, images) and one for its triangles (drawing), one for what is made
 /// ready, and the truth.
@@ -53,7 +62,8 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
     const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 3;
-    const double draw_s = std::min(draws * (0.0025 * mpx + 2e-8 * triangles),
+    const double draw_mpx = mpx * mean_samples(experiment);
+    const double draw_s = std::min(draws * (0.0025 * draw_mpx + 2e-8 * triangles),
                                    work.is_full ? experiment.budget_ms * 1e-3 : 0.03);
     const int drawn = work.is_full ? work.cells - harness::kBaselines : work.cells;
     const double image_s = at.keeps_images ? 0.011 * mpx : 0;

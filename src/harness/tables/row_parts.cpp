@@ -81,6 +81,23 @@ void add_line_columns(RowTable& table) {
     add_widths(lines);
 }
 
+void add_ink_columns(RowTable& table) {
+    const auto soft = table.part(&RowRecord::row).part(&Row::soft);
+    using S = score::SoftScore;
+    soft.add_derived({"soft_f",
+                      "0..1",
+                      "of grey lines: 2 sum min(I, C) / sum (I + C), I the drawn share of a pixel "
+                      "and C the true one; only with --coverage"},
+                     &S::f);
+    soft.add({"ink_line_width_px", "px", "of the true lines that C is the share of"},
+             &S::line_width_px);
+    soft.add({"ink_matched_px", "px^2", "drawn ink that is true: sum min(I, C)"}, &S::matched_px);
+    soft.add({"ink_misplaced_px", "px^2", "drawn ink that is true up to 2 px beside"},
+             &S::misplaced_px);
+    soft.add({"ink_surplus_px", "px^2", "other drawn ink"}, &S::surplus_px);
+    soft.add({"ink_missing_px", "px^2", "other true ink"}, &S::missing_px);
+}
+
 void add_cause_columns(RowTable& table) {
     const auto causes = table.part(&RowRecord::row).part(&Row::causes);
     for (std::size_t i = 0; i < score::kCauseCount; ++i) {

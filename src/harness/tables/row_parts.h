@@ -15,6 +15,9 @@ using RowTable = TableOf<RowRecord>;
 /// Adds cracks, place and width of lines, with the counts and sums that they are made from.
 void add_line_columns(RowTable& table);
 
+/// Adds soft F and the ink that it is made of.
+void add_ink_columns(RowTable& table);
+
 /// Adds a column per cause: what false_positives and false_negatives are made of.
 void add_cause_columns(RowTable& table);
 

@@ -209,6 +209,7 @@ RowTable make_table() {
     add_times(table);
     add_truth(table);
     add_line_columns(table);
+    add_ink_columns(table);
     add_skip_columns(table);
     add_provenance_columns(table);
     return table;

@@ -1,0 +1,89 @@
+#include <gmock/gmock.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/program/run_program.h"
+
+// Grey lines and their ink, as a user draws and scores them.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(GreyLines, OfAnyImageAreScoredAgainstAFileOrAModel) {
+    const Desk desk;
+    expect_done(desk, "truth torus --size 160x90 -o truth.exr");
+    expect_done(desk, "draw torus --methods id_lookup --size 160x90 --antialias 4 -o drawn.png");
+    const std::string told = expect_done(desk, "score drawn.png truth.exr --coverage --csv s.csv");
+    EXPECT_THAT(told, HasSubstr("soft F"));
+    EXPECT_THAT(told, HasSubstr("grey lines 1.5 px wide"));
+    EXPECT_THAT(desk.read("s.csv"), HasSubstr(",soft_f,ink_line_width_px,"));
+    const auto scored = [&](const std::string& words) {
+        return nlohmann::json::parse(expect_done(desk, "score drawn.png " + words + " --json"));
+    };
+    const auto of_file = scored("truth.exr --coverage");
+    const auto of_model = scored("--model torus --coverage");
+    EXPECT_GT(of_file["soft_f"], 0.7);
+    for (const char* name : {"soft_f", "ink_matched_px", "ink_missing_px", "ink_surplus_px"})
+        EXPECT_NEAR(of_file[name].get<double>(), of_model[name].get<double>(), 1e-3) << name;
+    const auto wide = scored("--model torus --coverage --line-width 3");
+    EXPECT_EQ(wide["ink_line_width_px"], 3);
+    EXPECT_GT(wide["ink_missing_px"], of_file["ink_missing_px"]);
+    EXPECT_FALSE(scored("truth.exr").contains("soft_f"));
+}
+
+TEST(GreyLines, NeedATruthThatSaysWhatItCovers) {
+    const Desk desk;
+    expect_done(desk, "truth cube --size 96x54 -o truth.png");
+    expect_done(desk, "truth cube --size 96x54 -o truth.exr");
+    expect_done(desk, "draw cube --methods ids --size 96x54 -o drawn.png");
+    EXPECT_THAT(refusal(desk, "score drawn.png truth.png --coverage"),
+                AllOf(HasSubstr("truth.png"), HasSubstr("--model MODEL")));
+    EXPECT_THAT(refusal(desk, "score drawn.png truth.exr --coverage --line-width 2"),
+                AllOf(HasSubstr("1.5 px wide, not 2"), HasSubstr("--model MODEL")));
+    EXPECT_THAT(refusal(desk, "score drawn.png --model cube --coverage --line-width 9"),
+                HasSubstr("0.25..4"));
+}
+
+TEST(GreyLines, AreMethodsOfTheirOwnInAComparison) {
+    const Desk desk;
+    expect_done(desk,
+                "compare --scenes torus --methods id_lookup,mote4 --size 320x180 --quick --out out "
+                "--images none --coverage --line-width 2 --antialias none,resolve4");
+    std::map<std::string, std::map<std::string, std::string>> rows;
+    for (const auto& row : parse_csv(desk.read("out/rows.csv")))
+        rows[row.at("method")] = row;
+    const auto number = [&](const std::string& method, const char* column) {
+        return std::stod(rows.at(method).at(column));
+    };
+    for (const char* method : {"id_lookup", "id_lookup_resolve4", "mote4", "mote4_resolve4"}) {
+        EXPECT_EQ(number(method, "ink_line_width_px"), 2);
+        const double shared = number(method, "ink_matched_px");
+        const double beside = number(method, "ink_misplaced_px");
+        const double drawn = shared + beside + number(method, "ink_surplus_px");
+        const double of_truth = shared + beside + number(method, "ink_missing_px");
+        EXPECT_NEAR(number(method, "soft_f"), 2 * shared / (drawn + of_truth), 1e-9);
+    }
+    EXPECT_GT(number("id_lookup_resolve4", "soft_f"), number("id_lookup", "soft_f"));
+    EXPECT_EQ(number("mote4_resolve4", "bytes_per_px"), 4 * number("mote4", "bytes_per_px"));
+    EXPECT_EQ(rows.at("oracle").at("soft_f"), "1");
+    EXPECT_EQ(rows.at("none").at("soft_f"), "0");
+    EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("coverage = true"));
+}
+
+TEST(GreyLines, RefuseWhatCannotBeDrawn) {
+    const Desk desk;
+    EXPECT_THAT(refusal(desk, "compare --antialias resolve9 --out out"),
+                AllOf(HasSubstr("resolve9"), HasSubstr("resolve16")));
+    EXPECT_THAT(refusal(desk, "compare --line-width 0 --out out"), HasSubstr("0.25..4"));
+    EXPECT_THAT(
+        refusal(desk, "compare --antialias resolve16 --scenes cube --size 8000x100 --out out"),
+        AllOf(HasSubstr("--antialias"), HasSubstr("too large")));
+}
+
+}  // namespace
+}  // namespace ink::program
