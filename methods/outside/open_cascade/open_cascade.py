@@ -30,26 +30,28 @@ class Drawing:
     seconds: dict
 
 
-def program(name):
-    """The compiled hidden_lines.cpp, made on its first use. Raises Absent, Failed."""
-    compiler = find_program("c++", name)
-    if not (HEADERS / "HLRBRep_Algo.hxx").exists():
+def built(name, files, libraries, adapter):
+    """The program that sources (.cpp, and .h beside them) make with Open CASCADE, compiled on its
+    first use. Raises Absent, Failed."""
+    compiler = find_program("c++", adapter)
+    if not (HEADERS / "Standard_Version.hxx").exists():
         raise Absent("Open CASCADE's headers are not installed (methods/outside/install "
-                     f"{name})")
-    made_of = SOURCE.read_bytes() + (HEADERS / "Standard_Version.hxx").read_bytes()
-    built = store() / f"hidden_lines-{hashlib.sha256(made_of).hexdigest()[:16]}"
-    if built.exists():
-        return built
+                     f"{adapter})")
+    made_of = b"".join(file.read_bytes() for file in [*files, HEADERS / "Standard_Version.hxx"])
+    program = store() / f"{name}-{hashlib.sha256(made_of).hexdigest()[:16]}"
+    if program.exists():
+        return program
     store().mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=store()) as folder:
-        part = Path(folder) / "hidden_lines"
-        done = subprocess.run([compiler, "-std=c++20", "-O2", "-isystem", HEADERS, SOURCE, "-o", part,
-                               *[f"-l{library}" for library in LIBRARIES]],
+        part = Path(folder) / name
+        sources = [file for file in files if file.suffix == ".cpp"]
+        done = subprocess.run([compiler, "-std=c++20", "-O2", "-isystem", HEADERS, *sources, "-o", part,
+                               *[f"-l{library}" for library in libraries]],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise Failed(f"hidden_lines.cpp is not built: {last_line(done.stderr)}")
-        part.rename(built)
-    return built
+            raise Failed(f"{name} is not built: {last_line(done.stderr)}")
+        part.rename(program)
+    return program
 
 
 def last_line(text):
@@ -73,7 +75,8 @@ def call(name, method, view, seconds=LONGEST_S):
     with tempfile.TemporaryDirectory(prefix="inkbench-open-cascade-") as folder:
         out = Path(folder) / "lines.txt"
         try:
-            done = subprocess.run([program(name), method, view.file("obj"), out], text=True,
+            done = subprocess.run([built("hidden_lines", [SOURCE], LIBRARIES, name),
+                                   method, view.file("obj"), out], text=True,
                                   input=" ".join(map(str, numbers)), capture_output=True,
                                   check=False, timeout=seconds)
         except subprocess.TimeoutExpired:
