@@ -104,7 +104,7 @@ void check_foreign_edges(const std::vector<BakedPrimitive>& primitives) {
         if (!is_turned || !has_edges(primitive)) continue;
         throw core::Error(primitive.place(),
                           primitive.place() + ": codes would change the order of its edges (" +
-                              kEdgeVisibility + ")",
+                              import::kEdgeVisibility + ")",
                           "a model without them");
     }
 }

@@ -126,7 +126,7 @@ std::vector<std::byte> packed_visibility(std::span<const std::uint8_t> values) {
 }
 
 bool has_edges(const BakedPrimitive& primitive) {
-    return primitive.source.json().extension(kEdgeVisibility).has_value();
+    return primitive.source.json().extension(import::kEdgeVisibility).has_value();
 }
 
 EdgeCounts add_edges(GltfEdit& edit,
@@ -139,7 +139,7 @@ EdgeCounts add_edges(GltfEdit& edit,
         if (has_edges(primitive) && !is_again) {
             throw core::Error(
                 primitive.place(),
-                primitive.place() + ": it has edges of its own (" + kEdgeVisibility + ")",
+                primitive.place() + ": it has edges of its own (" + import::kEdgeVisibility + ")",
                 "a model without, or one that inkbench has baked");
         }
         const auto own = edges_of(primitive, edges);
@@ -164,8 +164,8 @@ EdgeCounts add_edges(GltfEdit& edit,
                                    {"count", pairs.size() / 3},
                                    {"type", "VEC3"}});
         }
-        edit.use_extension(kEdgeVisibility);
-        primitive.json(edit)["extensions"][kEdgeVisibility] = std::move(extension);
+        edit.use_extension(import::kEdgeVisibility);
+        primitive.json(edit)["extensions"][import::kEdgeVisibility] = std::move(extension);
     }
     return counts;
 }

@@ -11,11 +11,8 @@
 
 namespace ink::bake {
 
-/// The extension that says which edges a renderer draws (Khronos, glTF, extensions/2.0/Vendor).
-inline constexpr const char* kEdgeVisibility = "EXT_mesh_primitive_edge_visibility";
-
-/// The numbers of its bit field.
-enum EdgeVisibility : std::uint8_t { kHidden, kSilhouette, kHard, kHardAgain };
+using import::EdgeVisibility;
+using enum import::EdgeVisibility;
 
 /// One number per edge of the triangles, 3 a triangle: the first of a hard edge is 2, its repeats
 /// 3, the first of a silhouette edge 1, its repeats 0. `triangles` holds numbers of `edges`, or

@@ -33,6 +33,7 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       view_(view),
       projection_(view),
       crease_rad_(options.crease_rad),
+      creases_(options.creases),
       tolerances_(scene::weld_tolerances(topology)),
       p_clip_(topology.p_world.size()),
       orientation_(topology.faces.size()),
@@ -108,7 +109,7 @@ bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
 truth::LineClass ClipMesh::class_between(const scene::Edge& edge,
                                          std::uint32_t face0,
                                          std::uint32_t face1) const {
-    if (scene::is_crease(topology_, edge, face0, face1, crease_rad_))
+    if (scene::is_crease(topology_, edge, face0, face1, {crease_rad_, creases_}))
         return truth::LineClass::crease;
     return is_seam(face0, face1) ? truth::LineClass::seam : truth::LineClass::none;
 }

@@ -118,6 +118,7 @@ class ClipMesh {
     const scene::View& view_;
     scene::Projection projection_;
     double crease_rad_;
+    scene::CreaseSource creases_;
     std::vector<double> tolerances_;  ///< per object
     std::vector<glm::dvec3> p_clip_;
     std::vector<std::int8_t> orientation_;  ///< per face, as LocalFace has it; exact

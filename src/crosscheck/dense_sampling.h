@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/crease.h"
 #include "scene/topology.h"
 #include "truth/line_class.h"
 
@@ -12,7 +13,8 @@ namespace ink::crosscheck {
 /// How the cross-check looks.
 struct SamplingOptions {
     double crease_rad = 0.6981317007977318;  ///< 40 degrees
-    int subsamples = 8;                      ///< K: a refined pixel is looked at K x K times
+    scene::CreaseSource creases = scene::CreaseSource::angle;
+    int subsamples = 8;       ///< K: a refined pixel is looked at K x K times
     bool everywhere = false;  ///< refine every pixel: slow, for measuring what adapting leaves out
     int threads = 1;
 };

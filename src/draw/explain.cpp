@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/trigonometric.hpp>
 
 #include "core/error.h"
@@ -42,6 +43,10 @@ void add_deviations(std::vector<Fact>& facts, const scene::SceneStatistics& stat
     }
 }
 
+double whole_degrees(double rad) {
+    return std::round(glm::degrees(rad));
+}
+
 std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
     std::vector<Fact> facts = {
         count("triangles", l.triangles, "triangles", "degenerate and repeated ones left out"),
@@ -59,6 +64,12 @@ std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
     add_edges(facts, "inside_out", l.inside_out, "smooth, but one face shows its back");
     add_deviations(facts, l);
     const std::vector<Fact> rest = {
+        {"crease_proposal",
+         whole_degrees(l.crease_proposal.angle_rad),
+         "deg",
+         "crease angle in the widest gap of deviations, for --crease"},
+        {"crease_gap_from", whole_degrees(l.crease_proposal.from_rad), "deg", "where it begins"},
+        {"crease_gap_to", whole_degrees(l.crease_proposal.to_rad), "deg", "and ends"},
         {"largest_smooth",
          glm::degrees(l.largest_smooth_rad),
          "deg",

@@ -97,6 +97,9 @@ std::vector<ExrAttribute> origin(const harness::SceneViews& scene_views) {
 std::vector<ExrAttribute> facts_of_truth(const TruthOrigin& origin) {
     std::vector<ExrAttribute> attributes = {
         {"ink:crease_deg", glm::degrees(origin.options.crease_rad)},
+        {"ink:creases",
+         std::string(
+             scene::kCreaseSourceNames.at(static_cast<std::size_t>(origin.options.creases)))},
         {"ink:weld_epsilon", origin.options.weld_epsilon},
         {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"},
         {"ink:ignore_label", static_cast<double>(truth::LineClass::ignore)},

@@ -32,8 +32,8 @@ struct TruthOrigin {
 /// `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
 /// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
 /// and `exact_corner.Y` (HALF) 0 or 1. What the truth was traced without is left out. The header
-/// names scene, view, camera (`worldToCamera`, eye, field of view, near), crease angle, ignore
-/// label, band, width of the covering lines, command, program and commit.
+/// names scene, view, camera (`worldToCamera`, eye, field of view, near), crease angle, whose
+/// creases count, ignore label, band, width of the covering lines, command, program and commit.
 ///
 /// Throws core::Error if the file cannot be written.
 void write_truth_exr(const TruthOrigin& truth_origin,

@@ -90,7 +90,8 @@ struct Experiment {
     int own_sweep_views = 0;             ///< sweep.csv: each method's own, on the first views
     std::vector<std::string> skips_off;  ///< optimisations that methods may not use
     double crease_deg = 40;              ///< of the truth, and of methods that follow it
-    double weld_epsilon = 0;             ///< of the truth, share of each part's diagonal
+    scene::CreaseSource creases = scene::CreaseSource::angle;  ///< of the truth
+    double weld_epsilon = 0;  ///< of the truth, share of each part's diagonal
     score::Intersections intersections = score::Intersections::above_crease;  ///< that count
     KeptImages images = KeptImages::first;
     bool study_motion = false;   ///< compare: the sequences and the roll of an animation, too

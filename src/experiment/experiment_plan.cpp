@@ -55,6 +55,7 @@ harness::TraceOptions trace_of(const Experiment& experiment, const std::filesyst
     trace.cache = cache;
     trace.truth.threads = core::hardware_threads();
     trace.truth.crease_rad = glm::radians(experiment.crease_deg);
+    trace.truth.creases = experiment.creases;
     trace.truth.weld_epsilon = experiment.weld_epsilon;
     trace.intersections = experiment.intersections;
     return trace;

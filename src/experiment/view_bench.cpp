@@ -50,7 +50,9 @@ ViewBench::ViewBench(const Experiment& experiment,
 void ViewBench::add_scenes(const ImageSize& size, std::vector<harness::SceneViews> scenes) {
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         views_[{s, size.width_px, size.height_px}] = std::move(scenes[s].views);
-        if (scenes_.size() == s) scenes_.push_back(std::move(scenes[s].scene));
+        if (scenes_.size() > s) continue;
+        scene::check_creases(scenes[s].scene, experiment_.creases);
+        scenes_.push_back(std::move(scenes[s].scene));
     }
     desks_.resize(scenes_.size());
 }

@@ -83,6 +83,7 @@ void attribute_evaluations(const ViewTruth& truth,
 
 void fill_truth_settings(const TraceOptions& trace, Row& row) {
     row.crease_deg = trace.crease_deg();
+    row.creases = trace.truth.creases;
     row.weld_epsilon = trace.truth.weld_epsilon;
     row.intersections = trace.intersections;
 }

@@ -14,6 +14,7 @@
 #include "harness/frame_counts.h"
 #include "harness/line_scores.h"
 #include "raster/skips.h"
+#include "scene/crease.h"
 #include "scene/precision/weld_tolerance.h"
 #include "score/attribution.h"
 #include "score/intersections.h"
@@ -100,6 +101,7 @@ struct Row {
     std::int64_t triangles = 0;
     std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and far positives
     double crease_deg = 40;                          ///< of the truth
+    scene::CreaseSource creases = scene::CreaseSource::angle;  ///< of the truth
     double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
     std::optional<double> contour_other_px;  ///< before another object,

@@ -186,6 +186,7 @@ scene::Mesh to_float_mesh(ImportedMesh&& from) {
     mesh.normals = std::move(from.normals);
     mesh.triangles = std::move(from.triangles);
     mesh.rounding = from.rounding;
+    mesh.marked_sides = std::move(from.marked_sides);
     const bool is_plain =
         from.parts.empty() || (from.parts.size() == 1 && from.parts.front().material == 0);
     if (is_plain) return mesh;

@@ -42,6 +42,7 @@ struct ImportedMesh {
     /// One per position, of any length (a vertex without one has (0,0,0)); or empty.
     std::vector<glm::vec3> normals;
     std::vector<scene::Triangle> triangles;
+    std::vector<std::uint8_t> marked_sides;  ///< as scene::Mesh has them
     std::vector<MeshPart> parts;  ///< by first_triangle, the first at 0; empty: one of material 0
     /// Whether the file's coordinates are floats, already rounded to that where they stand.
     bool are_floats = false;

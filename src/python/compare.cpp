@@ -125,6 +125,7 @@ const Keywords& compare_keywords() {
                              "grid.entrants",
                              "grid.threads",
                              "measure.crease_deg",
+                             "measure.creases",
                              "measure.weld_epsilon",
                              "measure.intersections",
                              "measure.repetitions",

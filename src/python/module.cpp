@@ -67,6 +67,7 @@ py::list methods() {
 const Keywords& truth_keywords() {
     static const Keywords keywords = [] {
         Keywords of_truth{{"measure.crease_deg",
+                           "measure.creases",
                            "measure.weld_epsilon",
                            "measure.intersections",
                            "grid.threads"}};

@@ -18,8 +18,11 @@ constexpr std::uint32_t kUnused = ~0U;
 Mesh part_of(const Mesh& mesh, const std::vector<std::size_t>& triangles) {
     Mesh part = mesh;
     part.triangles.clear();
-    for (const std::size_t t : triangles)
+    part.marked_sides.clear();
+    for (const std::size_t t : triangles) {
         part.triangles.push_back(mesh.triangles[t]);
+        if (!mesh.marked_sides.empty()) part.marked_sides.push_back(mesh.marked_sides[t]);
+    }
     part.materials.assign(triangles.size(), mesh.materials[triangles.front()]);
     return part;
 }
@@ -28,7 +31,7 @@ Mesh part_of(const Mesh& mesh, const std::vector<std::size_t>& triangles) {
 void drop_unused(Mesh& mesh) {
     std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
     const Mesh from = std::move(mesh);
-    mesh = {from.name, {}, {}, from.triangles, from.materials, from.rounding};
+    mesh = {from.name, {}, {}, from.triangles, from.materials, from.rounding, from.marked_sides};
     for (Triangle& triangle : mesh.triangles)
         for (std::uint32_t& v : triangle) {
             if (number[v] == kUnused) {

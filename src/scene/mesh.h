@@ -24,6 +24,9 @@ struct Mesh {
     /// How far the file's own numbers may have been rounded, object space, where that is more than
     /// half a unit in the last place of `positions`.
     double rounding = 0;
+    /// Which sides its file marks as lines: empty where it marks none, or a byte per triangle in
+    /// which bit i is the side from corner i to the next.
+    std::vector<std::uint8_t> marked_sides = {};
 };
 
 }  // namespace ink::scene

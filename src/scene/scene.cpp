@@ -38,6 +38,13 @@ void check_mesh(const Mesh& mesh, const std::string& where) {
                 "{} materials for {} triangles", mesh.materials.size(), mesh.triangles.size()),
             "none, or one per triangle");
     }
+    if (!mesh.marked_sides.empty() && mesh.marked_sides.size() != mesh.triangles.size()) {
+        throw core::Error(where,
+                          fmt::format("marked sides of {} triangles for {}",
+                                      mesh.marked_sides.size(),
+                                      mesh.triangles.size()),
+                          "none, or of each triangle");
+    }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (const std::uint32_t v : mesh.triangles[t]) {
             if (v >= mesh.positions.size()) {
@@ -138,6 +145,7 @@ std::uint64_t scene_hash(const Scene& scene) {
         hasher.items(std::span(mesh.positions)).items(std::span(mesh.normals));
         hasher.items(std::span(mesh.triangles)).items(std::span(mesh.materials));
         if (mesh.rounding != 0) hasher.value(mesh.rounding);
+        if (!mesh.marked_sides.empty()) hasher.items(std::span(mesh.marked_sides));
     }
     for (const Instance& instance : scene.instances) {
         hasher.value(instance.mesh).value(instance.world_from_object);

@@ -258,6 +258,7 @@ SceneStatistics make_scene_statistics(const PreparedScene& scene, double crease_
         materials.insert(face.material);
     statistics.materials = materials.size();
     count_edges(topology, statistics);
+    statistics.crease_proposal = propose_crease(topology);
     count_components(topology, statistics);
     statistics.cracked_corners = count_cracked_corners(topology);
     statistics.extent_ratio = extent_ratio(topology, scene->instances.size());

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "scene/camera.h"
+#include "scene/crease.h"
 #include "scene/prepared_scene.h"
 #include "scene/scene.h"
 #include "scene/topology.h"
@@ -46,7 +47,8 @@ struct SceneStatistics {
     EdgeTally nonmanifold;  ///< three faces or more
     EdgeTally inside_out;   ///< smooth, but its faces run through it in the same direction
     std::array<std::size_t, kDeviationBins>
-        deviations{};               ///< creases and smooth edges by dihedral deviation
+        deviations{};  ///< creases and smooth edges by dihedral deviation
+    CreaseProposal crease_proposal;
     double largest_smooth_rad = 0;  ///< 0 without any
     double least_crease_rad = 0;    ///< 0 without any
 

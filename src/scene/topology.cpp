@@ -147,6 +147,11 @@ class Moves {
     std::size_t joined_ = 0;
 };
 
+/// The marks of a triangle whose corners 1 and 2 change places: sides 0 and 2 do.
+std::uint8_t with_ends_swapped(unsigned sides) {
+    return static_cast<std::uint8_t>((sides & 2U) | (sides & 1U) << 2 | (sides >> 2 & 1U));
+}
+
 /// Whether the triangle has an area before anything is moved.
 bool has_area(const Instance& instance, const Mesh& mesh, const Triangle& t) {
     return !is_collinear(place(instance, mesh.positions[t[0]]),
@@ -185,7 +190,11 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                 }
                 face.vertices[i] = welded[v];
             }
-            if (mirrored) std::swap(face.vertices[1], face.vertices[2]);
+            if (!mesh.marked_sides.empty()) face.marked_sides = mesh.marked_sides[t];
+            if (mirrored) {
+                std::swap(face.vertices[1], face.vertices[2]);
+                face.marked_sides = with_ends_swapped(face.marked_sides);
+            }
 
             const auto& [a, b, c] = face.vertices;
             const auto& p = points.keys();

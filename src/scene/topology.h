@@ -18,6 +18,7 @@ struct Face {
     std::uint32_t object = 0;                 ///< instance index
     std::uint32_t material = 0;               ///< unique over the scene only within one file
     std::uint32_t triangle = 0;               ///< global triangle index (see triangle_count)
+    std::uint8_t marked_sides = 0;            ///< as Mesh::marked_sides; bit i is edges[i]
 };
 
 /// An undirected edge of the welded scene, a < b.

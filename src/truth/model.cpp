@@ -4,7 +4,6 @@
 
 #include "core/disjoint_sets.h"
 #include "core/parallel.h"
-#include "scene/precision/rounding.h"
 #include "scene/precision/weld_tolerance.h"
 #include "truth/crossings/slit_crossings.h"
 
@@ -72,7 +71,8 @@ std::span<const Continuation> Model::continuations_of(std::uint32_t edge) const 
 LineClass Model::class_across(const scene::Edge& edge,
                               std::uint32_t face0,
                               std::uint32_t face1) const {
-    if (scene::is_crease(topology, edge, face0, face1, crease_rad)) return LineClass::crease;
+    if (scene::is_crease(topology, edge, face0, face1, {crease_rad, creases}))
+        return LineClass::crease;
     return is_seam(face0, face1) ? LineClass::seam : LineClass::none;
 }
 
@@ -83,6 +83,7 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     model.crossings = find_crossings(model.topology, {.threads = options.threads});
     if (model.crossings.is_too_many) return model;  // no view of it is traced
     model.crease_rad = options.crease_rad;
+    model.creases = options.creases;
     const auto& faces = model.topology.faces;
     model.is_one_object = std::all_of(faces.begin(), faces.end(), [&](const scene::Face& f) {
         return f.object == faces.front().object;

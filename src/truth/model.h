@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/crease.h"
 #include "scene/scene.h"
 #include "scene/topology.h"
 #include "truth/crossings/continuation.h"
@@ -20,6 +21,7 @@ struct TruthOptions;
 struct Model {
     scene::Topology topology;
     double crease_rad = 0;
+    scene::CreaseSource creases = scene::CreaseSource::angle;
     std::vector<double> tolerances;  ///< weld tolerance of each object, world units
     bool is_one_object = false;      ///< all faces belong to one
     /// Per entry of `topology.edge_faces`: 1 where the face runs from the edge's a to its b, else
@@ -61,8 +63,11 @@ struct Model {
 /// Borrows the scene. Not for two threads at once.
 class SceneModel {
   public:
+    /// Throws core::Error if creases are to be those of a file that marks none.
     SceneModel(const scene::Scene& scene, const TruthOptions& options)
-        : scene_(scene), options_(options) {}
+        : scene_(scene), options_(options) {
+        scene::check_creases(scene, options.creases);
+    }
     SceneModel(const SceneModel&) = delete;
     SceneModel& operator=(const SceneModel&) = delete;
 

@@ -5,6 +5,7 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
+#include "scene/crease.h"
 #include "scene/scene.h"
 #include "truth/curve.h"
 #include "truth/limits.h"
@@ -15,8 +16,9 @@ namespace ink::truth {
 /// What the truth depends on besides scene and view.
 struct TruthOptions {
     double crease_rad =
-        0.6981317007977318;   ///< 40 degrees: faces that bend at least this much crease
-    double weld_epsilon = 0;  ///< as scene::WeldOptions has it
+        0.6981317007977318;  ///< 40 degrees: faces that bend at least this much crease
+    scene::CreaseSource creases = scene::CreaseSource::angle;  ///< which edges of two faces are
+    double weld_epsilon = 0;                                   ///< as scene::WeldOptions has it
     int threads = 1;
     bool layers = true;  ///< also layers, `sampled` and `exact_corner`; without, they stay empty
     TruthLimits limits = {};

@@ -285,5 +285,44 @@ TEST_F(GltfGeometry, BuffersBesideTheFileAreFoundByTheirDecodedName) {
     EXPECT_THAT(complaint(gltf("absent.bin")), HasSubstr("the file absent.bin cannot be read"));
 }
 
+/// The cube's twelve triangles with these numbers, two bits each, for their sides.
+GlbFile cube_with_edges(const std::vector<std::uint8_t>& visibility) {
+    GlbFile file = cube_file();
+    const std::size_t accessor = file.accessor(visibility, "SCALAR");
+    file.put("nodes", {{"mesh", 0}});
+    file.json["extensionsUsed"] = {"EXT_mesh_primitive_edge_visibility"};
+    file.json["meshes"][0]["primitives"][0]["extensions"] = {
+        {"EXT_mesh_primitive_edge_visibility", {{"visibility", accessor}}}};
+    return file;
+}
+
+TEST_F(GltfGeometry, HardEdgesAreMarkedSides) {
+    // Sides 0, 1 and 2 of triangle 0 are hidden, a silhouette and hard, side 0 of triangle 1 is
+    // hard and named before.
+    const GlbFile file = cube_with_edges({0b11'10'01'00, 0, 0, 0, 0, 0, 0, 0, 0b10'00'00'00});
+    const scene::Scene scene = import_scene(write("edges.glb", file.bytes()));
+    EXPECT_THAT(scene.meshes[0].marked_sides,
+                ElementsAre(0b100, 0b001, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0b100));
+    EXPECT_TRUE(scene.file.notes.empty());
+}
+
+TEST_F(GltfGeometry, PrimitivesWithoutEdgesMarkNone) {
+    GlbFile file = cube_with_edges(std::vector<std::uint8_t>(9, 0xff));
+    Json& primitives = file.json["meshes"][0]["primitives"];
+    Json plain = primitives[0];
+    plain.erase("extensions");
+    primitives = {plain, primitives[0], plain};
+    const scene::Scene scene = import_scene(write("edges.glb", file.bytes()));
+    std::vector<std::uint8_t> expected(36, 0);
+    std::fill(expected.begin() + 12, expected.begin() + 24, 0b111);
+    EXPECT_EQ(scene.meshes[0].marked_sides, expected);
+}
+
+TEST_F(GltfGeometry, EdgesForAnotherNumberOfTrianglesAreRefused) {
+    const GlbFile file = cube_with_edges(std::vector<std::uint8_t>(8, 0));
+    EXPECT_THAT(complaint(write("edges.glb", file.bytes())),
+                HasSubstr("visibility has 8 elements (accepted: 9, for 36 sides"));
+}
+
 }  // namespace
 }  // namespace ink::import

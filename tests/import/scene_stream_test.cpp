@@ -20,6 +20,7 @@ ImportReply sample_reply() {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
+    mesh.marked_sides = {0b101, 0};
     mesh.parts = {{0, 5, 1, 0}, {1, 6, 2, 1}};
     mesh.are_floats = true;
     reply.meshes = {mesh, ImportedMesh{}};
@@ -77,6 +78,7 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->meshes[0].positions, expected.positions);
     EXPECT_EQ(reply->meshes[0].normals, expected.normals);
     EXPECT_EQ(reply->meshes[0].triangles, expected.triangles);
+    EXPECT_EQ(reply->meshes[0].marked_sides, expected.marked_sides);
     ASSERT_EQ(reply->meshes[0].parts.size(), 2U);
     EXPECT_EQ(reply->meshes[0].parts[1].first_triangle, 1U);
     EXPECT_EQ(reply->meshes[0].parts[1].material, 6U);

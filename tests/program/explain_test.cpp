@@ -25,6 +25,7 @@ TEST(Explain, JsonHoldsTheSame) {
     EXPECT_EQ(json.at("scene"), "cube");
     EXPECT_EQ(json.at("statistics").at("triangles"), 36);  // three cubes
     EXPECT_EQ(json.at("statistics").at("creases"), 36);
+    EXPECT_EQ(json.at("statistics").at("crease_proposal"), 40);  // nothing is curved
     EXPECT_EQ(json.at("statistics").at("may_cross"), false);
     EXPECT_EQ(json.at("views").size(), 3U);
     EXPECT_EQ(json.at("methods").at("mote4").at("skips").at("flat_tiles").at("may"), true);

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/error.h"
 #include "scene/materials.h"
 #include "tests/truth/shapes.h"
+#include "truth/model.h"
 
 namespace ink::truth {
 namespace {
@@ -75,6 +77,37 @@ TEST(Class, FortyDegreesMakeACrease) {
     EXPECT_EQ(class_of_deviation(60), LineClass::crease);
     EXPECT_EQ(class_of_deviation(89), LineClass::crease);
     EXPECT_EQ(class_of_deviation(120), LineClass::contour);
+}
+
+/// The same, the edge being marked by its file or not, and creases being those that are.
+LineClass class_by_file(double deviation_deg, bool is_marked) {
+    scene::Mesh sheet = bent_sheet(deviation_deg * std::numbers::pi / 180);
+    // The left square's first triangle runs along the edge with its side 1.
+    sheet.marked_sides = {static_cast<std::uint8_t>(is_marked ? 0b010 : 0), 0, 0, 0};
+    const scene::Scene scene = scene_of({sheet});
+    const scene::Topology topology = scene::weld(scene);
+    const Truth truth =
+        trace_truth(scene, view_from(8), {.creases = scene::CreaseSource::file, .threads = 1});
+    for (const Curve& curve : truth.curves) {
+        const scene::Edge& edge = topology.edges[curve.edge];
+        if (edge.face_count == 2) return curve.line_class;
+    }
+    return LineClass::none;
+}
+
+TEST(Class, AFilesMarksMakeACreaseOfAnyAngleAndNoContourLess) {
+    EXPECT_EQ(class_by_file(5, true), LineClass::crease);
+    EXPECT_EQ(class_by_file(60, true), LineClass::crease);
+    EXPECT_EQ(class_by_file(5, false), LineClass::none);
+    EXPECT_EQ(class_by_file(60, false), LineClass::none);
+    EXPECT_EQ(class_by_file(120, false), LineClass::contour);
+}
+
+TEST(Class, AFileThatMarksNothingHasNoTruthOfItsCreases) {
+    const scene::Scene scene = scene_of({bent_sheet(1)});
+    TruthOptions options;
+    options.creases = scene::CreaseSource::file;
+    EXPECT_THROW(SceneModel(scene, options), core::Error);
 }
 
 TEST(Class, AbuttingBoxesWithLevelTopsHaveASeamAndNoCreaseThere) {

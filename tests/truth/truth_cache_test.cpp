@@ -96,6 +96,12 @@ TEST_F(Cache, FileOfAnotherKeyIsNotTaken) {
     EXPECT_NE(cached().trace_s, 12345);
 }
 
+TEST_F(Cache, KeySaysWhoseCreasesCount) {
+    const std::string by_angle = truth_key(scene_, view_, options_);
+    options_.creases = scene::CreaseSource::file;
+    EXPECT_NE(truth_key(scene_, view_, options_), by_angle);
+}
+
 /// A truth of sky, 4 x 3 px.
 Truth small_truth() {
     Truth truth;

@@ -88,6 +88,7 @@ void add_compare_command(CLI::App& app) {
         "A dozen scenes and the main methods unless others are named, as small as with "
         "--quick, in inkbench-out/demo: half a minute");
     options.add_to(*command, truth_rows());
+    options.add_to(*command, {"measure.creases"});
     options.add_to(*command, {"grid.threads", "measure.repetitions", "sweep.own_views"});
     command->add_flag(
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");

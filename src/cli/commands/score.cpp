@@ -243,7 +243,7 @@ void add_model_options(CLI::App& command, ScoreArguments& a) {
         ->type_name("NAME");
     a.views.size.clear();
     add_view_options(command, a.views);
-    a.options.add_to(command, {"measure.crease_deg", "measure.weld_epsilon"});
+    a.options.add_to(command, {"measure.crease_deg", "measure.creases", "measure.weld_epsilon"});
     add_cache_options(command, a.cache);
     const auto options = command.get_options();
     for (std::size_t i = before; i < options.size(); ++i)

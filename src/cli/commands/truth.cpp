@@ -216,6 +216,7 @@ void add_truth_command(CLI::App& app) {
         ->type_name("NAME");
     add_view_options(*command, args->views);
     args->options.add_to(*command, truth_rows());
+    args->options.add_to(*command, {"measure.creases"});
     args->options.add_to(*command, {"grid.threads"}, "Threads that trace");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);

@@ -275,6 +275,12 @@ OptionTable make_table() {
         &E::crease_deg, "measure.crease_deg", {0, 180}, "DEGREES",
         "Crease angle of the truth: edges with a larger dihedral deviation are creases; methods "
         "that use the same angle follow, unless --set says otherwise");
+    in(kCompare, "--creases").choice(
+        &E::creases, "measure.creases",
+        {scene::kCreaseSourceNames.begin(), scene::kCreaseSourceNames.end()},
+        "Which edges between two faces are creases of the truth: those of the crease angle, or "
+        "those that the model's file marks (glTF, EXT_mesh_primitive_edge_visibility); methods "
+        "keep their angle");
     in(kAll, "--weld-epsilon").number(
         &E::weld_epsilon, "measure.weld_epsilon", {0, kMaxWeldEpsilon}, "SHARE",
         "Weld vertices this near to each other, as a share of their part's diagonal (0: at the "

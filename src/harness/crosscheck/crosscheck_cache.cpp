@@ -29,6 +29,7 @@ Crosscheck look(truth::SceneModel& scene, const scene::View& view, const truth::
     const auto begin = std::chrono::steady_clock::now();
     crosscheck::SamplingOptions options;
     options.crease_rad = scene.options().crease_rad;
+    options.creases = scene.options().creases;
     options.threads = scene.options().threads;
     const crosscheck::SampledLines crosscheck =
         crosscheck::sample_lines(scene.model().topology, view, options);

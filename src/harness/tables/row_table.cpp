@@ -182,6 +182,13 @@ void add_truth(RowTable& table) {
         .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);
     row.add({"crease_deg", "deg", "crease angle of the truth; a method's own is in params"},
             &Row::crease_deg);
+    row.add_named(
+        {"creases",
+         "",
+         "which edges of two faces are creases of the truth: those of the angle, or those that the "
+         "model's file marks"},
+        &Row::creases,
+        {scene::kCreaseSourceNames.begin(), scene::kCreaseSourceNames.end()});
     row.add_named({"intersections",
                    "",
                    "which intersections count: all, or above_crease: those that bend at least by "

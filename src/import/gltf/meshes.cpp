@@ -11,6 +11,7 @@ constexpr AccessorRule kPosition{"POSITION", "VEC3", kFloat | kSmall};
 constexpr AccessorRule kNormal{"NORMAL", "VEC3", kFloat | kByte | kShort, true};
 constexpr AccessorRule kJoints{"JOINTS", "VEC4", kUnsignedByte | kUnsignedShort};
 constexpr AccessorRule kWeights{"WEIGHTS", "VEC4", kFloat | kUnsignedByte | kUnsignedShort, true};
+constexpr AccessorRule kVisibility{"visibility", "SCALAR", kUnsignedByte};
 
 /// Appends vectors for vertices that come after `before` others, which have zeros if they have
 /// none.
@@ -45,6 +46,28 @@ void GltfMeshReader::add_influences(GltfPrimitive& attributes, GltfMesh& to) {
             to.influences[first + i / 4].push_back(
                 {static_cast<std::uint32_t>(joints[i]), static_cast<float>(weights[i])});
         }
+    }
+}
+
+/// Takes the hard sides of the triangles from a number on: two bits a side, four sides a byte.
+void GltfMeshReader::add_marks(const JsonObject& primitive,
+                               std::size_t first_triangle,
+                               ImportedMesh& to) {
+    const auto extension = primitive.extension(kEdgeVisibility);
+    if (!extension || !extension->has("visibility")) return;
+    const std::size_t sides = 3 * (to.triangles.size() - first_triangle);
+    const std::vector<double> bytes =
+        accessors_.numbers(extension->index("visibility", accessors_.size()), kVisibility);
+    if (bytes.size() != (sides + 3) / 4) {
+        extension->fail("visibility has " + std::to_string(bytes.size()) + " elements",
+                        std::to_string((sides + 3) / 4) + ", for " + std::to_string(sides) +
+                            " sides of triangles");
+    }
+    to.marked_sides.resize(to.triangles.size(), 0);
+    for (std::size_t i = 0; i < sides; ++i) {
+        const unsigned value = static_cast<unsigned>(bytes[i / 4]) >> (2 * (i % 4)) & 3U;
+        if (value == kHard || value == kHardAgain)
+            to.marked_sides[first_triangle + i / 3] |= static_cast<std::uint8_t>(1U << i % 3);
     }
 }
 
@@ -133,6 +156,7 @@ void GltfMeshReader::add_primitive(const JsonObject& primitive,
                              .first_vertex = first_vertex});
     for (const auto& [a, b, c] : triangles)
         to.mesh.triangles.push_back({a + first_vertex, b + first_vertex, c + first_vertex});
+    add_marks(primitive, to.mesh.parts.back().first_triangle, to.mesh);
     if (shared) return;
     add_vertices(primitive, attributes, p, to);
     added_.emplace(position, std::pair(primitive, first_vertex));
@@ -152,6 +176,8 @@ GltfMesh GltfMeshReader::read_mesh(std::size_t index, bool has_bones) {
         if (!list.empty()) list.resize(result.mesh.positions.size());
     };
     fill(result.mesh.normals);
+    if (!result.mesh.marked_sides.empty())
+        result.mesh.marked_sides.resize(result.mesh.triangles.size(), 0);
     for (scene::Morph::Target& target : result.targets) {
         fill(target.positions);
         fill(target.normals);

@@ -40,6 +40,7 @@ class GltfMeshReader {
     [[nodiscard]] std::optional<std::uint32_t> shared_vertices(const JsonObject& primitive,
                                                                std::size_t position) const;
     void add_influences(GltfPrimitive& attributes, GltfMesh& to);
+    void add_marks(const JsonObject& primitive, std::size_t first_triangle, ImportedMesh& to);
     void add_targets(const JsonObject& primitive, std::size_t vertices, GltfMesh& to);
 
     const GltfDocument& document_;

@@ -24,6 +24,7 @@ struct Extension {
 /// All that may be required of us. Others are refused by name.
 constexpr std::array kExtensions{
     Extension{"EXT_mesh_gpu_instancing", Heeded::read},
+    Extension{"EXT_mesh_primitive_edge_visibility", Heeded::read},
     Extension{"EXT_meshopt_compression", Heeded::read},
     Extension{"KHR_animation_pointer", Heeded::read},
     Extension{"KHR_draco_mesh_compression", Heeded::read},
@@ -54,7 +55,6 @@ constexpr std::array kExtensions{
     Extension{"MSFT_screencoverage", Heeded::needless},
     Extension{"MSFT_texture_dds", Heeded::needless},
     Extension{"CESIUM_primitive_outline", Heeded::visible},
-    Extension{"EXT_mesh_primitive_edge_visibility", Heeded::visible},
 };
 
 const Extension* find_extension(std::string_view name) {

@@ -13,6 +13,12 @@ namespace ink::import {
 /// What packs a whole primitive.
 inline constexpr const char* kDracoMesh = "KHR_draco_mesh_compression";
 
+/// The extension that says which edges a renderer draws (Khronos, glTF, extensions/2.0/Vendor).
+inline constexpr const char* kEdgeVisibility = "EXT_mesh_primitive_edge_visibility";
+
+/// The numbers of its bit field.
+enum EdgeVisibility : std::uint8_t { kHidden, kSilhouette, kHard, kHardAgain };
+
 /// Whether a primitive is of triangles (mode 4), a strip of them (5) or a fan (6).
 [[nodiscard]] bool is_of_triangles(const JsonObject& primitive);
 

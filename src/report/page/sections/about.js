@@ -85,6 +85,7 @@ function aboutProvenance(run) {
         ['version', row.version ? `${row.version}, commit ${row.commit}${dirty}` : record.build],
         ['compiler', row.compiler], ['flags', row.flags], ['libraries', libraries],
         ['processor', row.cpu], ['instructions', row.simd],
+        ['creases', row.creases === 'file' ? 'edges that the model\'s file marks' : null],
         ['crease angle', row.crease_deg === undefined ? null : `${row.crease_deg}°`],
         ['intersections', row.intersections === 'all' ? 'all count' : 'those that bend at least by the crease angle count'],
         ['image size', row.width ? `${row.width} × ${row.height} px` : null],
