@@ -42,10 +42,10 @@ TopoDS_Shape read_shape(const std::string& path) {
             throw std::runtime_error(path + ": is no STEP file that Open CASCADE reads");
         reader.TransferRoots();
         shape = reader.OneShape();
-    } else if (end == "brep" || end == "rle") {
+    } else if (end == "brep") {
         BRepTools::Read(shape, path.c_str(), BRep_Builder());
     } else {
-        throw std::runtime_error(path + ": ends in '" + end + "' (accepted: step, stp, brep, rle)");
+        throw std::runtime_error(path + ": ends in '" + end + "' (accepted: step, stp, brep)");
     }
     if (shape.IsNull() || !TopExp_Explorer(shape, TopAbs_FACE).More())
         throw std::runtime_error(path + ": it holds no face");

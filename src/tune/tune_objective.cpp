@@ -11,6 +11,8 @@
 namespace ink::tune {
 namespace {
 
+constexpr double kMostGain = 0.03;  // of a scene, for TuneObjective::even
+
 /// What a scene is pooled under: its kind, or itself.
 std::string kind_key(const TuneViews& views, std::size_t scene) {
     const std::string& kind = views.kind_of_scene[scene];
@@ -53,16 +55,6 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// The mean less two standard errors of it.
-double certain_mean(const std::vector<double>& values) {
-    const double mean = mean_of(values);
-    double squares = 0;
-    for (const double value : values)
-        squares += (value - mean) * (value - mean);
-    const auto n = static_cast<double>(values.size());
-    return n < 2 ? mean : mean - 2 * std::sqrt(squares / (n - 1) / n);
-}
-
 /// Counts of the views that `is_kept` says, summed by scene.
 template <class IsKept>
 SceneCounts sums_of(const std::vector<score::CurveCount>& by_view,
@@ -98,17 +90,17 @@ double error_over(const std::vector<score::CurveCount>& by_view,
             roots.push_back(root_of(scene, count));
         return mean_of(roots) * mean_of(roots);
     }
-    if (objective == TuneObjective::certain) {
+    if (objective == TuneObjective::even) {
         const SceneCounts start =
             sums_of(views.at_start.empty() ? by_view : views.at_start, views, is_kept);
         const auto error = [](std::size_t, const score::CurveCount& count) {
             return 1 - count.f();
         };
         const auto gain = [&](std::size_t scene, const score::CurveCount& count) {
-            return count.f() - start.at(scene).f();
+            return std::clamp(count.f() - start.at(scene).f(), -kMostGain, kMostGain);
         };
         return mean_of(means_of_kinds(start, views, error)) -
-               certain_mean(means_of_kinds(scenes, views, gain));
+               mean_of(means_of_kinds(scenes, views, gain));
     }
     const std::vector<double> roots = means_of_kinds(scenes, views, root_of);
     const double root =
@@ -120,7 +112,7 @@ double error_over(const std::vector<score::CurveCount>& by_view,
 
 const std::vector<std::string>& objective_names() {
     static const std::vector<std::string> kNames = {
-        "pooled", "scenes", "kinds", "worst", "certain", "ap"};
+        "pooled", "scenes", "kinds", "worst", "even", "ap"};
     return kNames;
 }
 
@@ -130,7 +122,7 @@ std::string_view name(TuneObjective objective) {
 
 bool is_by_kind(TuneObjective objective) {
     return objective == TuneObjective::kinds || objective == TuneObjective::worst ||
-           objective == TuneObjective::certain;
+           objective == TuneObjective::even;
 }
 
 double f_of(const std::vector<score::CurveCount>& scenes) {

@@ -23,16 +23,17 @@ enum class TuneObjective {
     scenes,
     kinds,  ///< the same over kinds of scenes, each kind's root the mean over its scenes
     worst,  ///< the error of the kind that has the largest, made as in `kinds`
-    /// The mean error of kinds at the settings that the search starts from, less the gain over them
-    /// that is certain: the mean over kinds of each one's gain, less two standard errors of it.
+    /// The mean error of kinds at the settings that the search starts from, less what is gained
+    /// over them evenly: the mean over kinds of their scenes' gains, of which none counts more than
+    /// 0.03 either way.
     ///
-    /// A mean gain may be that of one noisy scene, paid for by all others. What gains a little
+    /// A mean gain may be that of one noisy scan, paid for by all others. What gains a little
     /// nearly everywhere holds on scenes that were not searched.
-    certain,
+    even,
     ap,  ///< 1 - average precision at 2 px; the threshold is then the best over the same views
 };
 
-/// "pooled", "scenes", "kinds", "worst", "certain", "ap": as the command line has them.
+/// "pooled", "scenes", "kinds", "worst", "even", "ap": as the command line has them.
 [[nodiscard]] const std::vector<std::string>& objective_names();
 [[nodiscard]] std::string_view name(TuneObjective objective);
 

@@ -27,8 +27,8 @@ std::string_view objective_words(TuneObjective objective) {
             return "the errors of kinds of scenes at 2 px";
         case TuneObjective::worst:
             return "the error of the worst kind of scenes at 2 px";
-        case TuneObjective::certain:
-            return "the error less what is certain to be gained at 2 px";
+        case TuneObjective::even:
+            return "the error less what is gained evenly at 2 px";
         case TuneObjective::ap:
             return "average precision";
     }

@@ -38,19 +38,18 @@ TEST(TuneObjective, KindsCountAlikeWhateverTheirScenes) {
     EXPECT_NEAR(error_of(counts, views, TuneObjective::scenes), (1.0 / 3) * (1.0 / 3), 1e-12);
 }
 
-TEST(TuneObjective, CertainPrefersWhatGainsALittleEverywhereToWhatGainsMuchOnce) {
+TEST(TuneObjective, EvenPrefersWhatGainsALittleEverywhereToWhatGainsMuchOnce) {
     TuneViews views{{0, 1, 2}, {"car", "scan", "tree"}};
     const std::vector<score::CurveCount> start = step({80, 50, 80}).found.by_view;
     // Before anything is gained it is the mean error of kinds.
-    EXPECT_NEAR(error_of(start, views, TuneObjective::certain), 0.30, 1e-12);
+    EXPECT_NEAR(error_of(start, views, TuneObjective::even), 0.30, 1e-12);
     views.at_start = start;
-    EXPECT_NEAR(error_of(start, views, TuneObjective::certain), 0.30, 1e-12);
-    // Gains of .02 each are certain; of -.02, .30, -.02 the mean is larger, .0867, and two standard
-    // errors, 2 x .1067, more than that.
-    const double even = error_of(step({82, 52, 82}).found.by_view, views, TuneObjective::certain);
-    const double once = error_of(step({78, 80, 78}).found.by_view, views, TuneObjective::certain);
+    EXPECT_NEAR(error_of(start, views, TuneObjective::even), 0.30, 1e-12);
+    // Gains of .02 each count whole, of .30 only .03, which twice -.02 outweigh.
+    const double even = error_of(step({82, 52, 82}).found.by_view, views, TuneObjective::even);
+    const double once = error_of(step({78, 80, 78}).found.by_view, views, TuneObjective::even);
     EXPECT_NEAR(even, 0.28, 1e-12);
-    EXPECT_NEAR(once, 0.30 - 0.26 / 3 + 2 * 0.32 / 3, 1e-12);
+    EXPECT_NEAR(once, 0.30 + 0.01 / 3, 1e-12);
 }
 
 TEST(TuneObjective, ASceneWithoutAKindIsItsOwn) {

@@ -222,8 +222,8 @@ void add_tune_command(CLI::App& app) {
             "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
             "scenes: (mean root of each scene's error) squared, so that every scene "
             "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
-            "error of the worst kind; certain: the mean error of kinds before the search, less "
-            "the gain that two standard errors over kinds leave; ap: 1 - average precision")
+            "error of the worst kind; even: the mean error of kinds before the search, less what "
+            "is gained, of no scene more than 0.03; ap: 1 - average precision")
         ->type_name(fmt::format("{}", fmt::join(tune::objective_names(), "|")))
         ->capture_default_str();
     command
