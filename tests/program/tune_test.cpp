@@ -101,7 +101,8 @@ TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
 TEST(TuneProgram, BadInputIsExplained) {
     const Desk desk;
     EXPECT_THAT(refusal(desk, "tune mote5"), HasSubstr("mote4"));
-    EXPECT_THAT(refusal(desk, "tune mote4 --objective speed"), HasSubstr("pooled, scenes, kinds, worst, even, ap"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --objective speed"),
+                HasSubstr("pooled, scenes, kinds, worst, even, ap"));
     EXPECT_THAT(refusal(desk, "tune mote4 --params range"), HasSubstr("range_nx"));
     EXPECT_THAT(refusal(desk, "tune mote4 --global luck"), HasSubstr("crs, direct, esch"));
     EXPECT_THAT(refusal(desk, "tune mote4 --evaluations 0"), HasSubstr("1..1000000"));
