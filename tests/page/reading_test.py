@@ -199,7 +199,7 @@ class ReadingTest(BrowserTest):
         self.open(part="scenes")
         looks = self.script(
             "return [...document.querySelectorAll('#scenes tbody tr')].map(row => [row.cells[0].textContent,"
-            " [...row.cells].slice(4).map(cell => getComputedStyle(cell)).map(s => [s.backgroundImage, s.backgroundColor])])")
+            " [...row.cells].slice(5).map(cell => getComputedStyle(cell)).map(s => [s.backgroundImage, s.backgroundColor])])")
         for scene, cells in looks:
             for image, colour in cells:
                 if scene == "fence":
