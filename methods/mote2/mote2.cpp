@@ -17,8 +17,8 @@ class Mote2 : public buffers::PackedBuffer {
         separate,  ///< two codes, two filters, joined by their maximum
     };
     struct Params : buffers::PackParams {
-        // found: experiments/thresholds.py, over the training scenes at 1280x720
-        Params() { threshold = 13; }
+        // found: experiments/thresholds.py, over training scenes and models at 1280x720
+        Params() { threshold = 11; }
         Combine combine = Combine::sum;
         double range_depth = 127;
         double range_normal = 127;
