@@ -108,11 +108,10 @@ std::vector<KindSummary> kinds_of(const Rows& rows) {
 }
 
 std::optional<double> mean_of_kinds(const std::vector<KindSummary>& kinds) {
-    if (kinds.size() < 2) return std::nullopt;
-    double sum = 0;
+    std::vector<double> values;
     for (const KindSummary& kind : kinds)
-        sum += kind.f_2px;
-    return sum / static_cast<double>(kinds.size());
+        values.push_back(kind.f_2px);
+    return kinds.size() < 2 ? std::nullopt : statistics::mean(values);
 }
 
 /// Pixels of either side without a match.

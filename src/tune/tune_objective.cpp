@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "statistics/spread.h"
+
 namespace ink::tune {
 namespace {
 
@@ -48,11 +50,9 @@ std::vector<double> means_of_kinds(const SceneCounts& scenes,
     return means;
 }
 
+/// Of values of which there is one at least.
 double mean_of(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values)
-        sum += value;
-    return sum / static_cast<double>(values.size());
+    return statistics::mean(values).value();
 }
 
 /// Counts of the views that `is_kept` says, summed by scene.
