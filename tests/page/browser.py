@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 SKIPPED = 77
+PATIENCE_S = 120  # where a machine's cores are all taken
 PROGRAM = os.environ.get("INKBENCH", "build/release/inkbench")
 
 
@@ -55,7 +56,9 @@ def open_browser(folder, switches=("--disable-gpu",)):
                    "--hide-scrollbars", "--window-size=1280,900", f"--user-data-dir={folder}/profile"):
         options.add_argument(switch)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(service=Service(DRIVER), options=options)
+    browser = webdriver.Chrome(service=Service(DRIVER), options=options)
+    browser.set_script_timeout(PATIENCE_S)
+    return browser
 
 
 class BrowserTest(unittest.TestCase):
@@ -105,7 +108,7 @@ class BrowserTest(unittest.TestCase):
         return self.browser.execute_script(text, *arguments)
 
     def wait(self, condition):
-        return WebDriverWait(self.browser, 20).until(lambda _: condition())
+        return WebDriverWait(self.browser, PATIENCE_S).until(lambda _: condition())
 
     def find(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
