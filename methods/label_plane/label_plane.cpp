@@ -107,6 +107,8 @@ class LabelPass : public buffers::ConstantPass {
 class LabelPlane : public buffers::SurfaceMethod<LabelPass> {
   public:
     using Params = LabelPlaneParams;
+    static constexpr bool kDrawsByThreshold = true;
+
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
         table.choice(&Params::bits, "bits", {"8", "16"}, "Bits of a code.")

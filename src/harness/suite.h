@@ -38,7 +38,7 @@ struct ListedModel {
 struct ViewRequest {
     int width_px = 1280;
     int height_px = 720;
-    std::optional<int> orbit_count;  ///< this many round the scene, instead of its own views
+    std::optional<int> orbit_count = {};  ///< this many round the scene, instead of its own views
     std::vector<scene::NamedDirection> directions = {};  ///< these round the scene instead
     /// How views round a scene are framed; any of these asks for such views, three unless said.
     std::optional<Fit> fit = {};        ///< default: the sphere
@@ -46,13 +46,13 @@ struct ViewRequest {
     std::vector<std::string> objects = {};  ///< the instances that are framed; none: all
     /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
     bool file_cameras = false;
-    std::vector<CameraRequest> cameras;  ///< these instead of all others
+    std::vector<CameraRequest> cameras = {};  ///< these instead of all others
     /// How all of these look; two: both, and parallel ones of a pinhole are called `NAME.parallel`.
     /// None: as a file's camera has it, parallel for `directions`, else in perspective.
     std::vector<scene::ProjectionKind> projections = {};
     std::optional<double> height_world = {};  ///< of parallel views without `cameras`; else fitted
-    std::optional<double> time_s;          ///< when an animated scene is seen; default: rest pose
-    std::optional<int> frame;              ///< by a stored frame's number instead
+    std::optional<double> time_s = {};     ///< when an animated scene is seen; default: rest pose
+    std::optional<int> frame = {};         ///< by a stored frame's number instead
     import::ModelChoice model = {};        ///< of model files
     std::vector<ListedModel> listed = {};  ///< give these files their kinds and splits
     import::ImportLimits limits = {};      ///< how far these are trusted, and who reads them

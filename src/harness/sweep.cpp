@@ -1,5 +1,6 @@
 #include "harness/sweep.h"
 
+#include <map>
 #include <set>
 
 namespace ink::harness {
@@ -13,6 +14,27 @@ std::vector<method::MethodConfig> sweep_configs(const method::MethodConfig& conf
         if (known.insert(swept.info->complete(swept.settings)).second) configs.push_back(swept);
     }
     return configs;
+}
+
+SharedDrawings::SharedDrawings(std::span<const method::MethodConfig> settings)
+    : settings_(settings) {
+    std::map<core::ParamValues, std::size_t> known;
+    for (const method::MethodConfig& setting : settings) {
+        const auto [found, is_new] = known.try_emplace(drawn_settings(setting), drawn_.size());
+        if (is_new) drawn_.push_back(setting);
+        drawing_of_.push_back(found->second);
+    }
+}
+
+std::vector<Evaluation> SharedDrawings::shared(const std::vector<Evaluation>& drawn) const {
+    std::vector<Evaluation> all;
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+        Evaluation& evaluation = all.emplace_back(drawn[drawing_of_[i]]);
+        evaluation.threshold = threshold_of(settings_[i]);
+        evaluation.row.threshold = evaluation.threshold;
+        evaluation.row.params = join_params(settings_[i].info->complete(settings_[i].settings));
+    }
+    return all;
 }
 
 }  // namespace ink::harness

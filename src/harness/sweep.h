@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "harness/cell.h"
+#include "harness/evaluations.h"
 #include "method/method_config.h"
 
 namespace ink::harness {
@@ -18,5 +20,21 @@ struct SweepOptions {
 /// line of MethodInfo::sweep on top. Settings that come out equal appear once. A method without a
 /// sweep is the configuration alone, so that fronts have it.
 [[nodiscard]] std::vector<method::MethodConfig> sweep_configs(const method::MethodConfig& config);
+
+/// Settings of which one drawing serves all that differ by a threshold that is no part of it.
+class SharedDrawings {
+  public:
+    explicit SharedDrawings(std::span<const method::MethodConfig> settings);
+
+    /// The settings that are drawn.
+    [[nodiscard]] const std::vector<method::MethodConfig>& drawn() const { return drawn_; }
+    /// What was drawn of them, in their order, as the evaluations of all settings.
+    [[nodiscard]] std::vector<Evaluation> shared(const std::vector<Evaluation>& drawn) const;
+
+  private:
+    std::span<const method::MethodConfig> settings_;
+    std::vector<method::MethodConfig> drawn_;
+    std::vector<std::size_t> drawing_of_;  ///< per setting
+};
 
 }  // namespace ink::harness

@@ -149,6 +149,8 @@ struct MethodInfo {
     std::string preset_of = "";
     /// It plans by the scene: its bytes and its code are not known without one.
     bool is_planned = false;
+    /// What it draws depends on the threshold, not only what of that is scored.
+    bool draws_by_threshold = false;
     /// Settings that span what the method can do, from its fastest to its most exact: over these
     /// its Pareto front is drawn. Eight at least; each is complete()d with the defaults.
     std::vector<core::ParamValues> sweep = {};
@@ -164,14 +166,18 @@ struct MethodInfo {
     }
 };
 
-/// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its parameters and a
-/// constructor from `Params`: what is code of a method. The rest is data:
+/// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its parameters, a
+/// constructor from `Params` and, if it draws by the threshold, `kDrawsByThreshold`: what is code
+/// of a method. The rest is data:
 /// methods/<name>/<name>.toml.
 template <class M>
 [[nodiscard]] MethodInfo method_info(std::string name) {
     MethodInfo info;
     info.name = std::move(name);
     info.params = M::table().params();
+    info.draws_by_threshold = requires {
+        M::kDrawsByThreshold;
+    };
     info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
         return std::make_unique<M>(M::table().read(values, name));
     };

@@ -39,4 +39,10 @@ int threshold_of(const MethodConfig& config) {
     return std::stoi(config.info->complete(config.settings).at("threshold"));
 }
 
+core::ParamValues drawn_settings(const MethodConfig& config) {
+    core::ParamValues settings = config.info->complete(config.settings);
+    if (!config.info->draws_by_threshold) settings.erase("threshold");
+    return settings;
+}
+
 }  // namespace ink::method

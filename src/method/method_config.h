@@ -39,4 +39,8 @@ struct Setting {
 /// The edge response (1..255) from which a pixel of `config` counts as drawn.
 [[nodiscard]] int threshold_of(const MethodConfig& config);
 
+/// The configuration but for the threshold that only says which pixels are scored: where it is the
+/// same, so are images and times.
+[[nodiscard]] core::ParamValues drawn_settings(const MethodConfig& config);
+
 }  // namespace ink::method

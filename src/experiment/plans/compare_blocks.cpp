@@ -97,7 +97,9 @@ void explain(ViewBench& bench,
 
 }  // namespace
 
-BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
+BlockResult run_methods(ViewBench& bench,
+                        const BlockPlace& at,
+                        const std::vector<std::string>& swept) {
     const scene::Scene& scene = bench.scenes()[at.scene];
     const bool is_full = bench.experiment().full_scores;
     harness::CellOptions options = bench.cell_options(at.threads);
@@ -125,14 +127,16 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     finish(scene, at, traced, options, evaluations, result.stages);
     if (is_full && traced.has_truth()) explain(bench, at, traced.truth, evaluations, result);
     harness::check_baselines(evaluations, result.faults);
-    std::int64_t cell = at.first_cell;
-    for (harness::Evaluation& evaluation : evaluations) {
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        harness::Evaluation& evaluation = evaluations[i];
+        const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(i);
         if (!bench.experiment().times) clear_times(evaluation.row);
         result.lines["rows.csv"] +=
             harness::row_line(cell, harness::Study::compare, evaluation.row);
         result.lines["cost.csv"] += harness::cost_line(cell, evaluation.row);
         add_side_tables(cell, evaluation, result);
-        ++cell;
+        if (i < at.sweeps_own.size() && at.sweeps_own[i])
+            result.lines["sweep.csv"] += harness::sweep_line(cell, 1, swept, evaluation.row);
     }
     if (keeps_images) {
         const StageTimer timer(result.stages, WorkStage::images);
@@ -154,11 +158,12 @@ BlockResult run_settings(ViewBench& bench,
     options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
     options.scores = harness::Scores::settings;
     BlockResult result;
+    const harness::SharedDrawings drawings(part.settings);
     const auto ready = [&](std::size_t first, std::size_t end) {
-        return bench.prepared(std::span(part.settings).subspan(first, end - first), at.scene);
+        return bench.prepared(std::span(drawings.drawn()).subspan(first, end - first), at.scene);
     };
-    std::vector<harness::Evaluation> evaluations =
-        draw(bench, at, part.settings.size(), ready, options.measure, result.stages);
+    std::vector<harness::Evaluation> evaluations = drawings.shared(
+        draw(bench, at, drawings.drawn().size(), ready, options.measure, result.stages));
     const auto traced = trace(bench, at, result.stages);
     finish(bench.scenes()[at.scene], at, *traced, options, evaluations, result.stages);
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);

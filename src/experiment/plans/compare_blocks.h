@@ -18,6 +18,8 @@ struct BlockPlace {
     std::int64_t first_cell = 0;  ///< the number of the first method's row
     bool is_first_view = false;   ///< of its scene: methods are made ready there
     bool keeps_images = false;
+    /// Per method: its own settings are the first of its sweep here.
+    std::vector<bool> sweeps_own = {};
 };
 
 /// Some settings of the n-th method.
@@ -27,11 +29,13 @@ struct SettingsPart {
     std::vector<method::MethodConfig> settings;
 };
 
-/// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
-[[nodiscard]] BlockResult run_methods(ViewBench& bench, const BlockPlace& at);
+/// The methods at their own settings, and the baselines: rows.csv and what stands beside it, and
+/// the lines of sweep.csv that say the same. `swept` are its parameters' columns.
+[[nodiscard]] BlockResult run_methods(ViewBench& bench,
+                                      const BlockPlace& at,
+                                      const std::vector<std::string>& swept = {});
 
-/// Settings of one method: lines of sweep.csv, without baselines. `swept` are its parameters'
-/// columns.
+/// Other settings of one method: lines of sweep.csv, without baselines.
 [[nodiscard]] BlockResult run_settings(ViewBench& bench,
                                        const BlockPlace& at,
                                        const SettingsPart& part,

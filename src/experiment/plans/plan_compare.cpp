@@ -42,7 +42,7 @@ std::string place_text(const ViewBench& bench, const BlockPlace& at) {
 /// What a block has to do.
 struct BlockWork {
     int cells = 0;
-    int prepared = 0;      ///< methods or settings that are made ready for it
+    int prepared = 0;      ///< methods that are made ready for it, or settings that are drawn
     bool is_full = false;  ///< methods with baselines; else settings, scored briefly
 };
 
@@ -65,7 +65,7 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const double draw_mpx = mpx * mean_samples(experiment);
     const double draw_s = std::min(draws * (0.0025 * draw_mpx + 2e-8 * triangles),
                                    work.is_full ? experiment.budget_ms * 1e-3 : 0.03);
-    const int drawn = work.is_full ? work.cells - harness::kBaselines : work.cells;
+    const int drawn = work.is_full ? work.cells - harness::kBaselines : work.prepared;
     const double image_s = at.keeps_images ? 0.011 * mpx : 0;
     const double score_s = (work.is_full && experiment.full_scores ? 0.018 : 0.002) * mpx;
     const double truth_s =
@@ -106,10 +106,19 @@ std::vector<std::string> parameters_swept(const ViewBench& bench) {
     return {names.begin(), names.end()};
 }
 
-/// The blocks of one method's settings on a place, so many at once.
+/// Takes a method's own settings out of those over which it is swept; false if they are not there.
+bool take_own(const method::MethodConfig& own, std::vector<method::MethodConfig>& settings) {
+    const core::ParamValues values = own.info->complete(own.settings);
+    return std::erase_if(settings, [&](const method::MethodConfig& setting) {
+               return setting.info->complete(setting.settings) == values;
+           }) > 0;
+}
+
+/// The blocks of one method's other settings on a place, so many at once, counted from `first`.
 void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    const BlockPlace& at,
                    std::size_t method,
+                   std::size_t first,
                    const std::vector<method::MethodConfig>& settings,
                    const std::vector<std::string>& swept,
                    Plan& plan) {
@@ -118,15 +127,19 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
     const std::size_t most = std::min(kSettingsAtOnce, bench->most_at_once(at.scene));
     for (std::size_t begin = 0; begin < settings.size(); begin += most) {
         const std::size_t end = std::min(settings.size(), begin + most);
-        SettingsPart part{method, begin + 1, {}};
+        SettingsPart part{method, first + begin, {}};
         part.settings.assign(settings.begin() + static_cast<std::ptrdiff_t>(begin),
                              settings.begin() + static_cast<std::ptrdiff_t>(end));
         const int cells = static_cast<int>(part.settings.size());
+        const int drawn = static_cast<int>(harness::SharedDrawings(part.settings).drawn().size());
         plan.blocks.push_back(
-            {fmt::format(
-                 "{} sweep {} settings {}..{}", place_text(*bench, at), name, begin + 1, end),
+            {fmt::format("{} sweep {} settings {}..{}",
+                         place_text(*bench, at),
+                         name,
+                         first + begin,
+                         first + end - 1),
              cells,
-             work_s(*bench, at, {cells, cells, false}),
+             work_s(*bench, at, {cells, drawn, false}),
              false,
              [bench, at, part, swept] { return run_settings(*bench, at, part, swept); },
              at.scene});
@@ -152,18 +165,20 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                const std::vector<std::string>& swept,
                Plan& plan) {
     const int cells = static_cast<int>(bench->configs().size()) + harness::kBaselines;
+    std::vector<std::vector<method::MethodConfig>> others;
+    for (const method::MethodConfig& config : bench->configs()) {
+        others.push_back(settings_of(*bench, config, nth_view));
+        at.sweeps_own.push_back(take_own(config, others.back()));
+    }
     at.first_cell = plan.take_cells(cells);
     plan.blocks.push_back({place_text(*bench, at),
                            cells,
                            work_s(*bench, at, {cells, at.is_first_view ? cells : 0, true}),
                            false,
-                           [bench, at] { return run_methods(*bench, at); },
+                           [bench, at, swept] { return run_methods(*bench, at, swept); },
                            at.scene});
-    for (std::size_t m = 0; m < bench->configs().size(); ++m) {
-        const std::vector<method::MethodConfig> settings =
-            settings_of(*bench, bench->configs()[m], nth_view);
-        plan_settings(bench, at, m, settings, swept, plan);
-    }
+    for (std::size_t m = 0; m < others.size(); ++m)
+        plan_settings(bench, at, m, at.sweeps_own[m] ? 2 : 1, others[m], swept, plan);
 }
 
 bool keeps_images(const Experiment& experiment, std::size_t nth_view, bool is_first_place) {

@@ -25,7 +25,7 @@ struct HardestOptions {
     std::uint64_t seed = 0;
     int least_truth_px = 200;  ///< that count; a view with fewer is none
     int worst = 5;             ///< views that are kept, at most
-    harness::CellOptions cell;
+    harness::CellOptions cell = {};
 };
 
 /// One view that was looked at.
