@@ -1,9 +1,19 @@
 #include "harness/sweep.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
 namespace ink::harness {
+
+MeasureOptions sweep_measure(MeasureOptions measure, std::size_t scenes) {
+    constexpr std::size_t kManyScenes = 12;
+    constexpr double kLongFrames_s = 0.003;
+    measure.min_repetitions = 1;
+    measure.max_repetitions = std::min(measure.max_repetitions, scenes < kManyScenes ? 2 : 1);
+    measure.budget_s = std::min(measure.budget_s, kLongFrames_s);
+    return measure;
+}
 
 std::vector<method::MethodConfig> sweep_configs(const method::MethodConfig& config) {
     if (config.info->sweep.empty()) return {config};

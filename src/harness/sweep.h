@@ -9,12 +9,12 @@
 
 namespace ink::harness {
 
-/// How the settings of a method's sweep are drawn and timed beside the methods themselves.
-struct SweepOptions {
-    /// A front takes medians over views, of which a scene has one and a suite dozens: two times of
-    /// a setting do there, and one where a frame is long. They are most of what a comparison times.
-    MeasureOptions measure{.min_repetitions = 1, .max_repetitions = 2, .budget_s = 0.003};
-};
+/// How the settings of a method's sweep are timed beside the methods themselves, which are timed as
+/// `measure` says.
+///
+/// A front takes medians over views, one a scene: with a dozen scenes one time of a setting does,
+/// with fewer two, and one where a frame is long. They are most of what a comparison times.
+[[nodiscard]] MeasureOptions sweep_measure(MeasureOptions measure, std::size_t scenes);
 
 /// The settings over which `config` is swept, each as a configuration: what the user set, with a
 /// line of MethodInfo::sweep on top. Settings that come out equal appear once. A method without a

@@ -150,12 +150,7 @@ BlockResult run_settings(ViewBench& bench,
                          const SettingsPart& part,
                          const std::vector<std::string>& swept) {
     harness::CellOptions options = bench.cell_options(at.threads);
-    // Times to a few percent do for a front, and there are many settings.
-    const harness::MeasureOptions brief = harness::SweepOptions{}.measure;
-    options.measure.min_repetitions = brief.min_repetitions;
-    options.measure.max_repetitions =
-        std::min(brief.max_repetitions, options.measure.max_repetitions);
-    options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
+    options.measure = harness::sweep_measure(options.measure, bench.scenes().size());
     options.scores = harness::Scores::settings;
     BlockResult result;
     const harness::SharedDrawings drawings(part.settings);

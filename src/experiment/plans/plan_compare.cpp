@@ -61,7 +61,7 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const Experiment& experiment = bench.experiment();
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
-    const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 3;
+    const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 2;
     const double draw_mpx = mpx * mean_samples(experiment);
     const double draw_s = std::min(draws * (0.0025 * draw_mpx + 2e-8 * triangles),
                                    work.is_full ? experiment.budget_ms * 1e-3 : 0.03);
