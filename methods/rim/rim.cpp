@@ -47,7 +47,8 @@ class Rim : public buffers::FullBufferMethod {
             for (int x = 0; x < tile.width_px; ++x) {
                 const float turned = 255 * (1 - std::min(ratio[x] / limit, 1.0F));
                 const bool is_surface = carried[x] != method::kNothingDrawn;
-                to[x] = is_surface ? static_cast<std::uint8_t>(std::lround(turned)) : 0;
+                // As std::lround has it, in vectors.
+                to[x] = is_surface ? static_cast<std::uint8_t>(static_cast<double>(turned) + 0.5) : 0;
             }
         }
     }

@@ -69,6 +69,9 @@ std::string png_of(const Codes& codes) {
     return core::base64(std::as_bytes(std::span(png)));
 }
 
+/// Views whose images are in memory at a time, about 100 MB each.
+constexpr std::size_t kViewsAtOnce = 2;
+
 /// By how much images may be shrunk, the first choice first.
 constexpr std::array kFactors = {1, 2, 4, 8};
 
@@ -218,12 +221,20 @@ std::string packed_images(const std::vector<experiment::RunData>& runs, std::siz
     packed.fill({std::vector<std::string>(runs.size())});
     // Each image is read and marked once: what is too much at one factor is there at the next.
     std::size_t first = 0;
-    for (const ViewPlace& place : view_places(runs)) {
-        const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
-        if (!view) continue;
-        const AtFactors at_factors = packed_view(*view, first);
-        for (std::size_t f = first; f < kFactors.size(); ++f)
-            packed[f].add(place.run, at_factors[f], budget_bytes);
+    const std::vector<ViewPlace> places = view_places(runs);
+    for (std::size_t at = 0; at < places.size(); at += kViewsAtOnce) {
+        const std::size_t count = std::min(kViewsAtOnce, places.size() - at);
+        std::array<AtFactors, kViewsAtOnce> views;
+        core::parallel_for(count, core::hardware_threads(), [&](std::size_t i) {
+            const ViewPlace& place = places[at + i];
+            const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
+            if (view) views[i] = packed_view(*view, first);
+        });
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t f = first; f < kFactors.size(); ++f)
+                if (!views[i][f].empty())
+                    packed[f].add(places[at + i].run, views[i][f], budget_bytes);
+        }
         while (first + 1 < kFactors.size() && packed[first].size_bytes > budget_bytes)
             packed[first++] = {};
         if (packed[first].size_bytes > budget_bytes) break;

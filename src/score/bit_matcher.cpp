@@ -5,6 +5,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "core/bits.h"
+
 namespace ink::score {
 namespace {
 
@@ -35,13 +37,6 @@ void set(std::vector<Bits>& words, std::uint32_t place) {
 }
 void clear(std::vector<Bits>& words, std::uint32_t place) {
     words[place / 64] &= ~(Bits{1} << (place % 64));
-}
-
-std::int64_t count(const std::vector<Bits>& words) {
-    std::int64_t bits = 0;
-    for (const Bits word : words)
-        if (word != 0) bits += std::popcount(word);  // a call, without the instruction
-    return bits;
 }
 
 template <class Visit>
@@ -192,7 +187,7 @@ void BitMatcher::augment(Side& from, Side& to) {
 std::int64_t BitMatcher::match() {
     match_at_once();
     // No augmenting path is left when none begins at any free pixel of one side, whichever.
-    if (count(left_.free) <= count(right_.free)) {
+    if (core::count_ones(left_.free) <= core::count_ones(right_.free)) {
         augment(left_, right_);
     } else {
         augment(right_, left_);
@@ -211,7 +206,7 @@ std::int64_t BitMatcher::count_reached(const Side& side, const Side& other) cons
                 bits_at(other.set.data(), static_cast<std::ptrdiff_t>(i) * kBits + steps_[offset]);
             if ((wanted & ~found) == 0) break;
         }
-        reached += std::popcount(wanted & found);
+        reached += core::count_ones(wanted & found);
     }
     return reached;
 }

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "core/bits.h"
 #include "edge/bit_mask.h"
 #include "edge/set_pixels.h"
 #include "edge/thin.h"
@@ -63,7 +63,7 @@ class CurveCounter {
             std::uint64_t& word = drawn.words()[i];
             if (word == 0) continue;
             word &= lists_.countable.words()[i];
-            result.n_pred += std::popcount(word);
+            result.n_pred += core::count_ones(word);
         }
         matcher_.set_left(drawn.words());
         result.k = matcher_.match();
