@@ -25,6 +25,7 @@ def skip(what):
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import StaleElementReferenceException
     from selenium.webdriver.chrome.options import Options
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
@@ -108,7 +109,9 @@ class BrowserTest(unittest.TestCase):
         return self.browser.execute_script(text, *arguments)
 
     def wait(self, condition):
-        return WebDriverWait(self.browser, PATIENCE_S).until(lambda _: condition())
+        # A part that is drawn anew between being found and being read is found again.
+        wait = WebDriverWait(self.browser, PATIENCE_S, ignored_exceptions=[StaleElementReferenceException])
+        return wait.until(lambda _: condition())
 
     def find(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
