@@ -48,7 +48,8 @@ class Rim : public buffers::FullBufferMethod {
                 const float turned = 255 * (1 - std::min(ratio[x] / limit, 1.0F));
                 const bool is_surface = carried[x] != method::kNothingDrawn;
                 // As std::lround has it, in vectors.
-                to[x] = is_surface ? static_cast<std::uint8_t>(static_cast<double>(turned) + 0.5) : 0;
+                to[x] =
+                    is_surface ? static_cast<std::uint8_t>(static_cast<double>(turned) + 0.5) : 0;
             }
         }
     }
