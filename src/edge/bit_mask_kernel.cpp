@@ -1,20 +1,44 @@
-#include "edge/bit_mask.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "edge/bit_mask_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "core/bits.h"
+#include "edge/bit_mask.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace ink::edge::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Sets the bits of the bytes that are not 0; the words are 0 before.
+void pack_row(const std::uint8_t* row, int width, std::uint64_t* words) {
+    const hn::ScalableTag<std::uint8_t> d;
+    constexpr int kBitsOfByte = 8;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(words);
+    int x = 0;
+    for (; lanes >= kBitsOfByte && x + lanes <= width; x += lanes) {
+        const auto is_set = hn::Ne(hn::LoadU(d, row + x), hn::Zero(d));
+        hn::StoreMaskBits(d, is_set, bytes + x / kBitsOfByte);
+    }
+    for (; x < width; ++x)
+        words[x / 64] |= std::uint64_t{row[x] != 0} << (x % 64);
+}
+
+}  // namespace ink::edge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace ink::edge {
 namespace {
 
-/// Eight bytes of 0 or 1 as eight bits: each product that falls into the top byte is of another
-/// pair of bits, so that nothing is carried.
-std::uint64_t bits_of(std::uint64_t bytes) {
-    return (bytes * 0x0102040810204080U) >> 56;
-}
+HWY_EXPORT(pack_row);
 
-/// And back.
+/// Eight bits as eight bytes of 0 or 1.
 std::uint64_t bytes_of(std::uint64_t bits) {
     const std::uint64_t spread = (bits * 0x0101010101010101U) & 0x8040201008040201U;
     return ((spread + 0x7f7f7f7f7f7f7f7fU) >> 7) & 0x0101010101010101U;
@@ -32,12 +56,7 @@ BitMask::BitMask(int width_px, int height_px)
 
 BitMask::BitMask(const Mask& mask) : BitMask(mask.width_px(), mask.height_px()) {
     for (int y = 0; y < height_px_; ++y) {
-        const std::uint8_t* row = mask.row(y);
-        for (int x = 0; x < width_px_; x += 8) {
-            std::uint64_t bytes = 0;
-            std::memcpy(&bytes, row + x, static_cast<std::size_t>(std::min(8, width_px_ - x)));
-            if (bytes != 0) words_[word_of(x, y)] |= bits_of(bytes) << (x % 64);
-        }
+        HWY_DYNAMIC_DISPATCH(pack_row)(mask.row(y), width_px_, &words_[word_of(0, y)]);
     }
 }
 
@@ -62,3 +81,4 @@ Mask BitMask::bytes() const {
 }
 
 }  // namespace ink::edge
+#endif
