@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -19,6 +20,29 @@ namespace {
 
 edge::EdgeImage full_response(const core::Image<std::uint8_t>& labels) {
     return core::mapped<std::uint8_t>(labels, [](int label) { return label != 0 ? 255 : 0; });
+}
+
+/// For each evaluation the first that has the same image and threshold: many settings of a method
+/// draw the same on most scenes, and so do methods that differ elsewhere. Those that failed stand
+/// for themselves, and so does the oracle, which is scored otherwise.
+std::vector<std::size_t> first_equals(const std::vector<Evaluation>& evaluations) {
+    std::map<std::pair<std::string, int>, std::vector<std::size_t>> known;
+    std::vector<std::size_t> firsts(evaluations.size());
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        const Evaluation& evaluation = evaluations[i];
+        firsts[i] = i;
+        if (!evaluation.row.is_ok() || evaluation.row.method == kOracle) continue;
+        auto& alike = known[{evaluation.row.image_hash, evaluation.threshold}];
+        const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t first) {
+            return evaluations[first].image == evaluation.image;
+        });
+        if (found == alike.end()) {
+            alike.push_back(i);
+        } else {
+            firsts[i] = *found;
+        }
+    }
+    return firsts;
 }
 
 /// Each view has random images of its own; the same of a seed, whatever else takes part.
@@ -104,10 +128,7 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
     const std::vector<score::TruthLists> tolerances = list_tolerances(truth.scoring);
     const score::RandomBaseline random_baseline(
         truth.scoring, score_options(255), random_seed(evaluations.front().row));
-    // Scores are not timed, so they may use every core.
-    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
-        Evaluation& evaluation = evaluations[i];
-        if (!evaluation.row.is_ok()) return;
+    score_each(evaluations, [&](Evaluation& evaluation) {
         Scored& scored = evaluation.scored;
         scored = score_image(evaluation.image, tolerances, evaluation.threshold);
         fill_scores(scored, evaluation.row);
@@ -118,9 +139,23 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
         scored.strokes = {};
         scored.drawn = {};
     });
-    fill_image_hashes(evaluations);
     for (Evaluation& evaluation : evaluations)
         fill_truth_facts(truth, evaluation.row);
+}
+
+void score_each(std::vector<Evaluation>& evaluations,
+                const std::function<void(Evaluation&)>& score) {
+    fill_image_hashes(evaluations);
+    const std::vector<std::size_t> firsts = first_equals(evaluations);
+    // Scores are not timed, so they may use every core.
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        if (firsts[i] == i && evaluations[i].row.is_ok()) score(evaluations[i]);
+    });
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        if (firsts[i] == i) continue;
+        evaluations[i].scored = evaluations[firsts[i]].scored;
+        copy_scores(evaluations[firsts[i]].row, evaluations[i].row);
+    }
 }
 
 void fill_image_hashes(std::vector<Evaluation>& evaluations) {

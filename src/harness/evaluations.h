@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -55,6 +56,11 @@ void fill_truth_facts(const ViewTruth& truth, Row& row);
 /// Scores every evaluation that did not fail, beside a random image of as many pixels. Each view
 /// has random images of its own: the rows must have scene, view and seed.
 void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations);
+
+/// Calls `score`, from several threads, for the evaluations that did not fail: of equal images at
+/// equal thresholds for the first alone, and the others get what it has. Image hashes are filled.
+void score_each(std::vector<Evaluation>& evaluations,
+                const std::function<void(Evaluation&)>& score);
 
 /// Writes the hash of its image into the row of every evaluation that did not fail.
 void fill_image_hashes(std::vector<Evaluation>& evaluations);

@@ -107,14 +107,4 @@ void fill_score_2px(const score::Strokes& strokes,
     fill_crowded(strokes, at_2px, truth, lists, row);
 }
 
-void copy_score_2px(const Row& from, Row& to) {
-    const auto copy = [&](auto... fields) { ((to.*fields = from.*fields), ...); };
-    copy(&Row::f_2px, &Row::precision_2px, &Row::recall_2px, &Row::mean_width_px);
-    copy(&Row::above_crease_2px, &Row::all_intersections_2px, &Row::with_crowded_2px);
-    copy(&Row::recall_by_class, &Row::truth_px_by_class, &Row::k_by_class);
-    copy(&Row::k_2px, &Row::n_pred, &Row::n_truth, &Row::truth_px);
-    copy(&Row::unmatched_duplicates, &Row::false_positives);
-    copy(&Row::unmatched_truth, &Row::false_negatives);
-}
-
 }  // namespace ink::harness

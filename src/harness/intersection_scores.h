@@ -32,7 +32,4 @@ void fill_score_2px(const score::Strokes& strokes,
                     const ViewLists& lists,
                     Row& row);
 
-/// Copies what that writes: an equal image at an equal threshold scores the same.
-void copy_score_2px(const Row& from, Row& to);
-
 }  // namespace ink::harness

@@ -1,6 +1,42 @@
 #include "harness/row.h"
 
+#include <tuple>
+
 namespace ink::harness {
+namespace {
+
+/// What a score says, but for `with_crowded_2px`.
+template <class AnyRow>
+auto scores_of(AnyRow& row) {
+    return std::tie(row.f_2px,
+                    row.f_1px,
+                    row.precision_2px,
+                    row.recall_2px,
+                    row.mean_width_px,
+                    row.ap,
+                    row.above_crease_2px,
+                    row.all_intersections_2px,
+                    row.random_baseline,
+                    row.lines,
+                    row.soft,
+                    row.recall_by_class,
+                    row.truth_px_by_class,
+                    row.k_by_class,
+                    row.tolerance_sweep,
+                    row.k_2px,
+                    row.n_pred,
+                    row.n_truth,
+                    row.truth_px,
+                    row.k_1px,
+                    row.n_pred_1px,
+                    row.causes,
+                    row.unmatched_duplicates,
+                    row.false_positives,
+                    row.unmatched_truth,
+                    row.false_negatives);
+}
+
+}  // namespace
 
 Place place_of(const Row& row) {
     return {row.scene, row.view, row.width, row.height};
@@ -11,13 +47,12 @@ const core::Provenance& provenance_of(const Row& row) {
 }
 
 void clear_scores(Row& row) {
-    const auto clear = [](auto&... fields) { ((fields = {}), ...); };
-    clear(row.f_2px, row.f_1px, row.precision_2px, row.recall_2px, row.mean_width_px, row.ap);
-    clear(
-        row.above_crease_2px, row.all_intersections_2px, row.random_baseline, row.lines, row.soft);
-    clear(row.recall_by_class, row.truth_px_by_class, row.k_by_class, row.tolerance_sweep);
-    clear(row.k_2px, row.n_pred, row.n_truth, row.truth_px, row.k_1px, row.n_pred_1px, row.causes);
-    clear(row.unmatched_duplicates, row.false_positives, row.unmatched_truth, row.false_negatives);
+    std::apply([](auto&... fields) { ((fields = {}), ...); }, scores_of(row));
+}
+
+void copy_scores(const Row& from, Row& to) {
+    scores_of(to) = scores_of(from);
+    to.with_crowded_2px = from.with_crowded_2px;
 }
 
 void clear_times(Row& row) {

@@ -123,6 +123,9 @@ struct Row {
 /// Empties what a score says, but for `with_crowded_2px`: of a row whose view has none.
 void clear_scores(Row& row);
 
+/// Copies what a score says: an equal image at an equal threshold scores the same.
+void copy_scores(const Row& from, Row& to);
+
 /// Empties what holds times or follows from them: two runs of one plan then have the same rows.
 void clear_times(Row& row);
 

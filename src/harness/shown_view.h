@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,8 @@
 
 namespace ink::harness {
 
-/// What one method drew on a view.
+/// What methods drew on a view: an image is there once.
 struct MethodImage {
-    std::string method;
     edge::EdgeImage edge_response;
     int threshold = 128;                        ///< the edge response at which it was scored
     std::vector<score::WrongPixel> wrong = {};  ///< its wrong pixels and why
@@ -24,6 +25,7 @@ struct ShownView {
     std::string view;
     core::Image<std::uint8_t> labels;  ///< truth labels (truth::LineClass)
     std::vector<MethodImage> images;
+    std::map<std::string, std::size_t> image_of;  ///< of each method the number of its image
 };
 
 }  // namespace ink::harness

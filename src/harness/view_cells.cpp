@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <new>
 #include <utility>
 
@@ -37,48 +36,18 @@ void add_baselines(const TracedView& traced, std::vector<Evaluation>& evaluation
     std::move(baselines.begin(), baselines.end(), std::back_inserter(evaluations));
 }
 
-/// For each evaluation the first that has the same image and threshold: many settings of a method
-/// draw the same on most scenes. Those that failed stand for themselves, and so does the oracle,
-/// which is scored otherwise.
-std::vector<std::size_t> first_equals(const std::vector<Evaluation>& evaluations) {
-    std::map<std::pair<std::string, int>, std::vector<std::size_t>> known;
-    std::vector<std::size_t> firsts(evaluations.size());
-    for (std::size_t i = 0; i < evaluations.size(); ++i) {
-        const Evaluation& evaluation = evaluations[i];
-        firsts[i] = i;
-        if (!evaluation.row.is_ok() || evaluation.row.method == kOracle) continue;
-        auto& alike = known[{evaluation.row.image_hash, evaluation.threshold}];
-        const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t first) {
-            return evaluations[first].image == evaluation.image;
-        });
-        if (found == alike.end()) {
-            alike.push_back(i);
-        } else {
-            firsts[i] = *found;
-        }
-    }
-    return firsts;
-}
-
-/// Scores at 2 px alone; equal images at equal thresholds once.
+/// Scores at 2 px alone.
 void score_briefly(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {
-    fill_image_hashes(evaluations);
     const ViewLists lists = list_view(truth);
-    const std::vector<std::size_t> firsts = first_equals(evaluations);
-    // Scores are not timed, so they may use every core.
-    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
-        if (firsts[i] != i || !evaluations[i].row.is_ok()) return;
-        const int threshold = evaluations[i].threshold;
-        fill_score_2px(
-            score::make_strokes(evaluations[i].image, threshold, score_options(threshold)),
-            truth,
-            lists,
-            evaluations[i].row);
+    score_each(evaluations, [&](Evaluation& evaluation) {
+        const int threshold = evaluation.threshold;
+        fill_score_2px(score::make_strokes(evaluation.image, threshold, score_options(threshold)),
+                       truth,
+                       lists,
+                       evaluation.row);
     });
-    for (std::size_t i = 0; i < evaluations.size(); ++i) {
-        if (firsts[i] != i) copy_score_2px(evaluations[firsts[i]].row, evaluations[i].row);
-        fill_truth_facts(truth, evaluations[i].row);
-    }
+    for (Evaluation& evaluation : evaluations)
+        fill_truth_facts(truth, evaluation.row);
 }
 
 }  // namespace

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
-#include <set>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/parallel.h"
+#include "core/whole_file.h"
 #include "image_io/image_file.h"
 #include "truth/truth.h"
 
@@ -25,15 +27,32 @@ using Gray = core::Image<std::uint8_t>;
 using Rgb = core::Image<glm::u8vec3>;
 
 constexpr const char* kTruth = "truth.png";
+constexpr const char* kDrawn = ".png";
+constexpr const char* kErrors = ".errors.png";
 
 /// Layers of methods that are kept: what a filter reads or leaves. Others (ids, edges) show what
 /// the truth's own layers show, or nothing that belongs to one view's pixels.
 constexpr std::array<std::string_view, 4> kKeptLayers = {"packed", "filtered", "depth", "normal"};
 
-template <class Image>
-std::string png(const Image& image) {
-    const std::vector<std::uint8_t> bytes = image_io::encode_png(image);
-    return {bytes.begin(), bytes.end()};
+/// An image that is made when it is asked for, and its file.
+struct Picture {
+    std::string file;
+    std::function<std::string()> hash;
+    std::function<std::string()> png;
+};
+
+template <class Make>
+Picture picture(std::string file, Make make) {
+    const auto png = [make] {
+        const std::vector<std::uint8_t> bytes = image_io::encode_png(make());
+        return std::string(bytes.begin(), bytes.end());
+    };
+    // Grey and colours are not to be taken for each other.
+    const auto hash = [make] {
+        const auto& image = make();
+        return fmt::format("{} {}", sizeof(image.data()[0]), core::image_hash(image));
+    };
+    return {std::move(file), hash, png};
 }
 
 Gray errors_of(const Evaluation& evaluation) {
@@ -151,32 +170,42 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
     const fs::path folder =
         image_folder(evaluations.front().row.scene, evaluations.front().row.view);
     const truth::Layers& layers = truth.traced.layers;
-    std::vector<std::pair<std::string, std::function<std::string()>>> jobs = {
-        {kTruth, [&] { return png(truth.counted_labels()); }},
-        {"layer_object.png", [&] { return png(object_layer(layers, scene)); }},
-        {"layer_patch.png", [&] { return png(patch_layer(layers)); }},
-        {"layer_facing.png", [&] { return png(facing_layer(layers)); }},
+    std::vector<Picture> pictures = {
+        picture(kTruth, [&] { return truth.counted_labels(); }),
+        picture("layer_object.png", [&] { return object_layer(layers, scene); }),
+        picture("layer_patch.png", [&] { return patch_layer(layers); }),
+        picture("layer_facing.png", [&] { return facing_layer(layers); }),
     };
     for (const Evaluation& evaluation : evaluations) {
         if (!is_kept(evaluation.row)) continue;
         const std::string name = file_name(evaluation.row.method);
-        jobs.emplace_back(name + ".png", [&evaluation] { return png(evaluation.image); });
-        jobs.emplace_back(name + ".errors.png",
-                          [&evaluation] { return png(errors_of(evaluation)); });
+        pictures.push_back(
+            picture(name + kDrawn, [&]() -> const Gray& { return evaluation.image; }));
+        pictures.push_back(picture(name + kErrors, [&] { return errors_of(evaluation); }));
     }
     for (const MethodLayers& of_method : method_layers) {
         for (const method::Layer& layer : of_method.layers) {
-            jobs.emplace_back(
-                fmt::format("{}.layer_{}.png", file_name(of_method.method), layer.name),
-                [&layer] { return png(layer.rgb); });
+            pictures.push_back(
+                picture(fmt::format("{}.layer_{}.png", file_name(of_method.method), layer.name),
+                        [&]() -> const Rgb& { return layer.rgb; }));
         }
     }
-    std::vector<std::string> bytes(jobs.size());
-    core::parallel_for(
-        jobs.size(), core::hardware_threads(), [&](std::size_t i) { bytes[i] = jobs[i].second(); });
+    const auto for_each = [&](auto work) {
+        core::parallel_for(pictures.size(), core::hardware_threads(), work);
+    };
+    // Methods share their buffers' layers with others, and often draw the same.
+    std::vector<std::string> hashes(pictures.size());
+    for_each([&](std::size_t i) { hashes[i] = pictures[i].hash(); });
+    std::map<std::string, std::size_t> firsts;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        firsts.try_emplace(hashes[i], i);
+    std::vector<std::string> bytes(pictures.size());
+    for_each([&](std::size_t i) {
+        if (firsts.at(hashes[i]) == i) bytes[i] = pictures[i].png();
+    });
     std::map<std::string, std::string> files;
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-        files[(folder / jobs[i].first).string()] = std::move(bytes[i]);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        files[(folder / pictures[i].file).string()] = bytes[firsts.at(hashes[i])];
     return files;
 }
 
@@ -184,25 +213,34 @@ std::optional<ShownView> read_shown_view(const fs::path& run, const std::vector<
     if (rows.empty()) return std::nullopt;
     const fs::path folder = run / image_folder(rows.front().scene, rows.front().view);
     if (!fs::exists(folder / kTruth)) return std::nullopt;
-    ShownView view{rows.front().scene, rows.front().view, image_io::read_gray(folder / kTruth), {}};
-    std::set<std::string> methods_there;
+    ShownView view{
+        rows.front().scene, rows.front().view, image_io::read_gray(folder / kTruth), {}, {}};
+    const auto file_of = [&](const Row& row, const char* ending) {
+        return folder / (file_name(row.method) + ending);
+    };
+    using Bytes = std::optional<std::string>;
+    std::map<std::tuple<Bytes, Bytes, std::optional<int>>, std::size_t> known;
     std::vector<const Row*> shown;
     for (const Row& row : rows) {
         // Rows of other sizes and numbers of threads have no images of their own.
         const bool is_of_row =
             row.width == view.labels.width_px() && row.height == view.labels.height_px();
-        const bool has_image =
-            is_kept(row) && is_of_row && fs::exists(folder / (file_name(row.method) + ".png"));
-        if (has_image && methods_there.insert(row.method).second) shown.push_back(&row);
+        if (!is_kept(row) || !is_of_row || view.image_of.contains(row.method)) continue;
+        Bytes drawn = core::read_whole_file(file_of(row, kDrawn));
+        if (!drawn) continue;
+        // The same image may be wrong for other reasons.
+        Bytes errors = core::read_whole_file(file_of(row, kErrors));
+        const auto [found, is_new] =
+            known.try_emplace({std::move(drawn), std::move(errors), row.threshold}, shown.size());
+        if (is_new) shown.push_back(&row);
+        view.image_of[row.method] = found->second;
     }
     view.images.resize(shown.size());
     core::parallel_for(shown.size(), core::hardware_threads(), [&](std::size_t i) {
         const Row& row = *shown[i];
-        const std::string name = file_name(row.method);
-        view.images[i] = {row.method,
-                          read_sized(folder / (name + ".png"), view.labels),
+        view.images[i] = {read_sized(file_of(row, kDrawn), view.labels),
                           row.threshold.value_or(128),
-                          wrong_pixels(folder / (name + ".errors.png"), view.labels)};
+                          wrong_pixels(file_of(row, kErrors), view.labels)};
     });
     return view;
 }

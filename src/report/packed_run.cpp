@@ -110,20 +110,22 @@ AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
             marker.mark(image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
         pngs[i] = pngs_of(marks, first, codes_of);
     });
+    std::vector<std::string> methods;
+    for (const auto& [method, image] : view.image_of)
+        methods.push_back(fmt::format("{}:{}", json_text(method), image));
     AtFactors packed;
     for (std::size_t f = first; f < kFactors.size(); ++f) {
-        std::string methods;
-        for (std::size_t i = 1; i < pngs.size(); ++i) {
-            methods += fmt::format(
-                "{}{}:\"{}\"", i == 1 ? "" : ",", json_text(view.images[i - 1].method), pngs[i][f]);
-        }
-        packed[f] =
-            fmt::format("{}:{{\"width\":{},\"height\":{},\"truth\":\"{}\",\"methods\":{{{}}}}}",
-                        json_text(view.scene + "\n" + view.view),
-                        view.labels.width_px(),
-                        view.labels.height_px(),
-                        pngs[0][f],
-                        methods);
+        std::vector<std::string> images;
+        for (std::size_t i = 1; i < pngs.size(); ++i)
+            images.push_back(fmt::format("\"{}\"", pngs[i][f]));
+        packed[f] = fmt::format(
+            R"({}:{{"width":{},"height":{},"truth":"{}","images":{},"methods":{{{}}}}})",
+            json_text(view.scene + "\n" + view.view),
+            view.labels.width_px(),
+            view.labels.height_px(),
+            pngs[0][f],
+            json_array(images),
+            fmt::join(methods, ","));
     }
     return packed;
 }

@@ -105,7 +105,8 @@ TEST_F(RunPage, HoldsTheImagesOfEveryView) {
     EXPECT_EQ(view["width"], 160);
     EXPECT_EQ(view["height"], 90);
     EXPECT_THAT(view["truth"].get<std::string>(), testing::StartsWith("iVBORw0KGgo"));
-    EXPECT_TRUE(view["methods"].contains("mote4"));
+    const auto image = view["methods"].at("mote4").get<std::size_t>();
+    EXPECT_THAT(view["images"].at(image).get<std::string>(), testing::StartsWith("iVBORw0KGgo"));
 }
 
 TEST_F(RunPage, ImagesStayInTheirBudget) {

@@ -8,7 +8,7 @@ const FIRST_MISSING = FIRST_WRONG + CAUSES.findIndex(cause => cause.kind === 'fa
 
 class ViewImages {
     constructor(packed) {
-        this.packed = packed; // per run: {"scene\nview": {width, height, truth, methods}}
+        this.packed = packed; // per run: {"scene\nview": {width, height, truth, images, methods}}
         this.decoded = new Map();
     }
 
@@ -20,7 +20,7 @@ class ViewImages {
 
     has(run, scene, view, method) {
         const entry = this.entry(run, scene, view);
-        return Boolean(entry && (method === 'truth' || method === 'oracle' || entry.methods[method]));
+        return Boolean(entry && (method === 'truth' || method === 'oracle' || method in entry.methods));
     }
 
     /// The codes of a truth ('truth') or of a method's image: a promise of {width, height, codes,
@@ -29,7 +29,7 @@ class ViewImages {
         const entry = this.entry(run, scene, view);
         if (!entry) return Promise.resolve(null);
         const isTruth = method === 'truth' || method === 'oracle';
-        const data = isTruth ? entry.truth : entry.methods[method];
+        const data = isTruth ? entry.truth : entry.images[entry.methods[method]];
         if (!data) return Promise.resolve(null);
         const key = [run.index, scene, view, isTruth ? 'truth' : method].join('\n');
         if (!this.decoded.has(key)) {
