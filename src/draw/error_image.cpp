@@ -8,8 +8,6 @@
 
 #include "draw/palette.h"
 #include "edge/thin.h"
-#include "score/drawing.h"
-#include "score/pixel_list.h"
 #include "truth/line_class.h"
 
 namespace ink::draw {
@@ -19,28 +17,10 @@ using truth::LineClass;
 
 constexpr auto kIgnoreLabel = static_cast<std::uint8_t>(LineClass::ignore);
 
-/// 1 at the pixels of `from` that have a pixel of `to` within the tolerance.
-edge::Mask near(const edge::Mask& from, const edge::Mask& to, double tolerance_px) {
-    const score::PixelList pixels(from);
-    const auto is_near =
-        score::within_reach(pixels, score::PixelList(to), score::Disk(tolerance_px));
-    edge::Mask mask(from.width_px(), from.height_px());
-    for (int y = 0; y < from.height_px(); ++y) {
-        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
-            mask.at(pixels.x(i), y) = is_near[i];
-        }
-    }
-    return mask;
-}
-
-/// Gives each drawn pixel that has no owner yet the owner of the thinned pixel that is nearest
-/// along the drawing. `owner` comes with each thinned pixel owning itself and -1 elsewhere.
-/// Thinning never removes a whole piece, so all are reached.
-void spread_owners(const edge::Mask& drawn, std::vector<int>& owner) {
-    std::vector<int> front;
-    for (std::size_t i = 0; i < owner.size(); ++i) {
-        if (owner[i] >= 0) front.push_back(static_cast<int>(i));
-    }
+/// Gives each drawn pixel the mark of the thinned pixel that is nearest along the drawing. `drawn`
+/// comes without those that `front` begins with, the thinned ones, and ends empty: thinning never
+/// removes a whole piece.
+void spread(std::vector<int> front, edge::Mask& drawn, Marks& marks) {
     const int width = drawn.width_px();
     // A breadth-first walk; the four straight neighbours first, since they are nearer.
     constexpr std::array<std::pair<int, int>, 8> kSteps = {
@@ -51,52 +31,18 @@ void spread_owners(const edge::Mask& drawn, std::vector<int>& owner) {
             const int x = i % width + dx;
             const int y = i / width + dy;
             if (!drawn.contains(x, y) || drawn.at(x, y) == 0) continue;
-            int& other = owner[static_cast<std::size_t>(y * width + x)];
-            if (other >= 0) continue;
-            other = owner[static_cast<std::size_t>(i)];
+            drawn.at(x, y) = 0;
+            marks.at(x, y) = marks.at(i % width, i / width);
             front.push_back(y * width + x);
         }
     }
 }
 
-/// What thinned pixels are, outside the band: off the truth they are wrong, unless an ignored pixel
-/// excuses them.
-struct ThinMarks {
-    edge::Mask is_counted;
-    edge::Mask is_hit;
-    edge::Mask is_excused;
-
-    [[nodiscard]] Mark of(std::size_t i, Mark if_wrong) const {
-        if (is_counted.data()[i] == 0) return Mark::ignored;
-        if (is_hit.data()[i] != 0) return Mark::hit;
-        return is_excused.data()[i] != 0 ? Mark::ignored : if_wrong;
-    }
-};
-
-/// The marks that pixels have if they are wrong: their causes, or what stands for an unknown one.
-struct WrongMarks {
-    Marks false_positives;
-    Marks false_negatives;
-
-    WrongMarks(const Marks& marks, std::span<const score::WrongPixel> wrong)
-        : false_positives(marks.width_px(), marks.height_px(), mark_of(score::Cause::other)),
-          false_negatives(marks.width_px(), marks.height_px(), mark_of(score::Cause::undeclared)) {
-        for (const auto& [pixel, cause] : wrong) {
-            (score::is_miss(cause) ? false_negatives : false_positives).at(pixel.x_px, pixel.y_px) =
-                mark_of(cause);
-        }
-    }
-};
-
-ThinMarks judge(const edge::Mask& thin,
-                const score::ScoringTruth& truth,
-                const MarkOptions& options) {
-    ThinMarks marks;
-    marks.is_counted = thin;
-    score::clear_band(marks.is_counted, options.band_px);
-    marks.is_hit = near(marks.is_counted, truth.labels, options.tolerance_px);
-    marks.is_excused = near(marks.is_counted, truth.ignore, options.tolerance_px);
-    return marks;
+/// Calls `visit(x, y, i)` for each pixel of a list, the i-th.
+template <class Visit>
+void visit_numbered(const score::PixelList& pixels, Visit visit) {
+    std::size_t i = 0;
+    pixels.visit([&](int x, int y) { visit(x, y, i++); });
 }
 
 glm::u8vec3 colour_of_mark(Mark mark) {
@@ -146,38 +92,57 @@ core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int fa
         labels, factor, [&](std::uint8_t a, std::uint8_t b) { return rank(a) < rank(b); });
 }
 
-ErrorMarker::ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options)
-    : labels_(labels) {
+ErrorMarker::ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options) {
     score::ScoreOptions scoring{.band_px = options.band_px, .ignore_label = kIgnoreLabel};
-    truth_ = score::prepare_truth(labels, scoring, true);
+    const score::ScoringTruth truth = score::prepare_truth(labels, scoring, true);
+    truth_ = score::PixelList(truth.labels);
+    ignored_ = score::PixelList(truth.ignore);
+    undrawn_ = core::mapped<Mark>(
+        labels, [](int label) { return label == kIgnoreLabel ? Mark::ignored : Mark::paper; });
 }
 
 Marks ErrorMarker::mark(const edge::EdgeImage& edge_response, const MarkOptions& options) const {
-    assert(labels_.width_px() == edge_response.width_px() &&
-           labels_.height_px() == edge_response.height_px());
-    Marks marks(labels_.width_px(), labels_.height_px());
+    Marks marks = undrawn_;
+    assert(marks.width_px() == edge_response.width_px() &&
+           marks.height_px() == edge_response.height_px());
     if (marks.is_empty()) return marks;
 
-    const edge::Mask drawn = edge::threshold(edge_response, options.threshold);
-    const edge::Mask thin = edge::thin(drawn);
-    const ThinMarks thin_marks = judge(thin, truth_, options);
-    std::vector<int> owner(thin.size(), -1);
-    for (std::size_t i = 0; i < owner.size(); ++i) {
-        if (thin.data()[i] != 0) owner[i] = static_cast<int>(i);
-    }
-    spread_owners(drawn, owner);
-    const WrongMarks wrong(marks, options.wrong);
-    const edge::Mask is_found = near(truth_.labels, thin_marks.is_counted, options.tolerance_px);
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        if (drawn.data()[i] != 0) {
-            const auto thinned = static_cast<std::size_t>(owner[i]);
-            marks.data()[i] = thin_marks.of(thinned, wrong.false_positives.data()[thinned]);
-        } else if (labels_.data()[i] == kIgnoreLabel) {
-            marks.data()[i] = Mark::ignored;
+    edge::Mask drawn = edge::threshold(edge_response, options.threshold);
+    edge::BitMask thin(drawn);
+    edge::thin(thin);
+    std::vector<int> front;
+    score::PixelList(thin, 0).visit([&](int x, int y) {
+        marks.at(x, y) = Mark::ignored;  // unless it counts
+        drawn.at(x, y) = 0;
+        front.push_back(y * marks.width_px() + x);
+    });
+    const score::Disk disk(options.tolerance_px);
+    const score::PixelList counted(thin, options.band_px);
+    const auto is_hit = score::within_reach(counted, truth_, disk);
+    const auto is_excused = score::within_reach(counted, ignored_, disk);
+    constexpr Mark kFalse = mark_of(score::Cause::other);
+    visit_numbered(counted, [&](int x, int y, std::size_t i) {
+        if (is_hit[i] != 0) {
+            marks.at(x, y) = Mark::hit;
+        } else if (is_excused[i] == 0) {
+            marks.at(x, y) = kFalse;
         }
-        const bool is_missing = truth_.labels.data()[i] != 0 && is_found.data()[i] == 0;
-        if (is_missing) marks.data()[i] = wrong.false_negatives.data()[i];
-    }
+    });
+    // Those of one kind that stand on pixels which are wrong that way get their cause.
+    const auto name_causes = [&](bool of_misses, Mark unknown) {
+        for (const auto& [pixel, cause] : options.wrong) {
+            Mark& mark = marks.at(pixel.x_px, pixel.y_px);
+            if (score::is_miss(cause) == of_misses && mark == unknown) mark = mark_of(cause);
+        }
+    };
+    name_causes(false, kFalse);
+    spread(std::move(front), drawn, marks);
+    const auto is_found = score::within_reach(truth_, counted, disk);
+    constexpr Mark kMissing = mark_of(score::Cause::undeclared);
+    visit_numbered(truth_, [&](int x, int y, std::size_t i) {
+        if (is_found[i] == 0) marks.at(x, y) = kMissing;
+    });
+    name_causes(true, kMissing);
     return marks;
 }
 

@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "edge/edge_image.h"
 #include "score/attribution.h"
+#include "score/pixel_list.h"
 #include "score/score.h"
 
 namespace ink::draw {
@@ -60,16 +61,17 @@ struct MarkOptions {
 /// The same for many images of one view, whose truth is prepared once.
 class ErrorMarker {
   public:
-    /// `labels` is borrowed; the band of `options` is that of all images.
+    /// The band of `options` is that of all images.
     ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options);
 
-    /// mark_errors() with the band that the truth was prepared with. Many threads may call it.
+    /// mark_errors() with the same band again. Many threads may call it.
     [[nodiscard]] Marks mark(const edge::EdgeImage& edge_response,
                              const MarkOptions& options) const;
 
   private:
-    const core::Image<std::uint8_t>& labels_;
-    score::ScoringTruth truth_;
+    score::PixelList truth_;
+    score::PixelList ignored_;
+    Marks undrawn_;  ///< of an image on which nothing was drawn, and nothing is missed
 };
 
 /// Marks in colour: paper white, hits dark, ignored grey, missing lines warm and false ones cool,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace ink::harness {
 
@@ -36,10 +37,14 @@ SharedDrawings::SharedDrawings(std::span<const method::MethodConfig> settings)
     }
 }
 
-std::vector<Evaluation> SharedDrawings::shared(const std::vector<Evaluation>& drawn) const {
-    std::vector<Evaluation> all;
-    for (std::size_t i = 0; i < settings_.size(); ++i) {
-        Evaluation& evaluation = all.emplace_back(drawn[drawing_of_[i]]);
+std::vector<Evaluation> SharedDrawings::shared(std::vector<Evaluation> drawn) const {
+    std::vector<Evaluation> all(settings_.size());
+    std::vector<const Evaluation*> taken(drawn.size(), nullptr);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Evaluation& evaluation = all[i];
+        const Evaluation*& first = taken[drawing_of_[i]];
+        evaluation = first != nullptr ? *first : std::move(drawn[drawing_of_[i]]);
+        if (first == nullptr) first = &evaluation;
         evaluation.threshold = threshold_of(settings_[i]);
         evaluation.row.threshold = evaluation.threshold;
         evaluation.row.params = join_params(settings_[i].info->complete(settings_[i].settings));

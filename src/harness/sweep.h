@@ -29,7 +29,7 @@ class SharedDrawings {
     /// The settings that are drawn.
     [[nodiscard]] const std::vector<method::MethodConfig>& drawn() const { return drawn_; }
     /// What was drawn of them, in their order, as the evaluations of all settings.
-    [[nodiscard]] std::vector<Evaluation> shared(const std::vector<Evaluation>& drawn) const;
+    [[nodiscard]] std::vector<Evaluation> shared(std::vector<Evaluation> drawn) const;
 
   private:
     std::span<const method::MethodConfig> settings_;

@@ -70,7 +70,7 @@ std::string png_of(const Codes& codes) {
 }
 
 /// Views whose images are in memory at a time, about 100 MB each.
-constexpr std::size_t kViewsAtOnce = 2;
+constexpr std::size_t kViewsAtOnce = 4;
 
 /// By how much images may be shrunk, the first choice first.
 constexpr std::array kFactors = {1, 2, 4, 8};
