@@ -191,8 +191,9 @@ TEST(Thin, EqualsFullPassesOnRandomMasks) {
 TEST(Thin, EqualsFullPassesAcrossTheBordersOfWordsAndBlocks) {
     std::mt19937 random(10);
     for (const int width_px : {63, 64, 65, 128, 190, 448, 700}) {
-        for (int i = 0; i < 10; ++i) {
-            const Mask mask = random_mask(width_px, 9, (i + 0.5) / 10, random);
+        for (int i = 0; i < 20; ++i) {
+            const double share = (i % 10 + 0.5) / 10;
+            const Mask mask = random_mask(width_px, 9, share, random);
             const Rows expected = rows_of(thin_by_passes(mask));
             on_every_target([&] { ASSERT_EQ(rows_of(thin(mask)), expected) << "mask " << i; });
         }
