@@ -45,23 +45,36 @@ void visit_bits(Bits bits, Visit visit) {
         visit(std::countr_zero(bits));
 }
 
-std::size_t stride_of(int width_px) {
-    return static_cast<std::size_t>(width_px + 63) / 64 + 2;
+/// Calls `visit(i)` for each word that is not 0, in order.
+template <class Visit>
+void visit_words(std::span<const Bits> words, Visit visit) {
+    constexpr std::size_t kBlock = 8;  // most of them are empty
+    for (std::size_t begin = 0; begin < words.size(); begin += kBlock) {
+        const std::size_t end = std::min(words.size(), begin + kBlock);
+        Bits any = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            any |= words[i];
+        if (any == 0) continue;
+        for (std::size_t i = begin; i < end; ++i)
+            if (words[i] != 0) visit(i);
+    }
 }
 
 }  // namespace
 
-BitMatcher::BitMatcher(int width_px, int height_px, const Disk& disk) {
+BitMatcher::BitMatcher(int width_px, int height_px, const Disk& disk)
+    : width_px_(width_px),
+      height_px_(height_px),
+      stride_(static_cast<std::size_t>(width_px + 63) / 64 + 2),
+      word_count_(stride_ * static_cast<std::size_t>(height_px + 2)) {
     assert(disk.radius_px() <= kMostRadius_px);
-    const std::size_t stride = stride_of(width_px);
     const int radius = disk.radius_px();
-    word_count_ = stride * static_cast<std::size_t>(height_px + 2);
-    head_ = stride * static_cast<std::size_t>(std::max(radius, 1));
+    head_ = stride_ * static_cast<std::size_t>(std::max(radius, 1));
     const std::size_t all = word_count_ + 2 * head_;
     std::vector<int> square_distances;
     for (int dy = -radius; dy <= radius; ++dy) {
         const int half = disk.half_width_px(dy);
-        const std::ptrdiff_t first = kBits * static_cast<std::ptrdiff_t>(stride) * dy - half;
+        const std::ptrdiff_t first = kBits * static_cast<std::ptrdiff_t>(stride_) * dy - half;
         rows_.push_back(
             {first, (Bits{2} << (2 * half)) - 1, static_cast<std::uint8_t>(steps_.size())});
         for (int dx = -half; dx <= half; ++dx) {
@@ -80,34 +93,87 @@ BitMatcher::BitMatcher(int width_px, int height_px, const Disk& disk) {
         // Read only where a pixel has a mate: what is there before does not matter.
         side->mate.reset(new std::uint8_t[all * kBits]);
     }
+    open_.assign(all, 0);
     parent_.reset(new std::uint8_t[all * kBits]);
 }
 
-void BitMatcher::replace(Side& side, Side& other, std::span<const Bits> words) {
+void BitMatcher::set_left(std::span<const Bits> words) {
+    take(words);
+    replace(left_, right_);
+}
+
+void BitMatcher::set_right(std::span<const Bits> words) {
+    take(words);
+    replace(right_, left_);
+}
+
+void BitMatcher::set_left(const PixelList& pixels, int x0, int y0) {
+    take(pixels, x0, y0);
+    replace(left_, right_);
+}
+
+void BitMatcher::set_right(const PixelList& pixels, int x0, int y0) {
+    take(pixels, x0, y0);
+    replace(right_, left_);
+}
+
+void BitMatcher::take(std::span<const Bits> words) {
     assert(words.size() == word_count_);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::size_t at = head_ + i;
-        const Bits before = side.set[at];
-        if (before == words[i]) continue;
-        visit_bits(before & ~words[i] & ~side.free[at], [&](int bit) {
-            const auto place = static_cast<std::ptrdiff_t>(at) * kBits + bit;
-            score::set(other.free, static_cast<Place>(place + steps_[side.mate[place]]));
-            --size_;
-        });
-        side.free[at] = (side.free[at] & words[i]) | (words[i] & ~before);
-        side.set[at] = words[i];
+    taken_.clear();
+    visit_words(words, [&](std::size_t i) { taken_.push_back({head_ + i, words[i]}); });
+}
+
+void BitMatcher::take(const PixelList& pixels, int x0, int y0) {
+    taken_.clear();
+    const int y_end = std::min(y0 + height_px_, pixels.height_px());
+    for (int y = y0; y < y_end; ++y) {
+        const std::size_t row = head_ + static_cast<std::size_t>(y - y0 + 1) * stride_ + 1;
+        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
+            const int x = pixels.x(i) - x0;
+            if (x < 0 || x >= width_px_) continue;
+            const std::size_t at = row + static_cast<std::size_t>(x) / kBits;
+            if (taken_.empty() || taken_.back().at != at) taken_.push_back({at, 0});
+            taken_.back().bits |= Bits{1} << (x % kBits);
+        }
     }
+}
+
+void BitMatcher::replace(Side& side, Side& other) {
+    auto before = side.words.begin();
+    for (const Word& word : taken_) {
+        for (; before != side.words.end() && *before < word.at; ++before)
+            replace_word(side, other, {*before, 0});
+        if (before != side.words.end() && *before == word.at) ++before;
+        replace_word(side, other, word);
+    }
+    for (; before != side.words.end(); ++before)
+        replace_word(side, other, {*before, 0});
+    side.words.clear();
+    for (const Word& word : taken_)
+        side.words.push_back(word.at);
+}
+
+void BitMatcher::replace_word(Side& side, Side& other, const Word& word) {
+    const auto [at, bits] = word;
+    const Bits before = side.set[at];
+    if (before == bits) return;
+    visit_bits(before & ~bits & ~side.free[at], [&](int bit) {
+        const auto place = static_cast<std::ptrdiff_t>(at) * kBits + bit;
+        score::set(other.free, static_cast<Place>(place + steps_[side.mate[place]]));
+        --size_;
+    });
+    side.size += core::count_ones(bits) - core::count_ones(before);
+    side.free[at] = (side.free[at] & bits) | (bits & ~before);
+    side.set[at] = bits;
 }
 
 /// At one offset each pixel has one partner, so that all of them go together.
 void BitMatcher::match_at_once() {
-    std::vector<std::size_t> waiting;
-    for (std::size_t i = head_; i < head_ + word_count_; ++i)
-        if (left_.free[i] != 0) waiting.push_back(i);
+    waiting_ = left_.words;
     const auto last = static_cast<std::uint8_t>(steps_.size() - 1);
     for (const std::uint8_t offset : by_distance_) {
-        std::erase_if(waiting, [&](std::size_t i) { return left_.free[i] == 0; });
-        for (const std::size_t i : waiting) {
+        std::erase_if(waiting_, [&](std::size_t i) { return left_.free[i] == 0; });
+        for (const std::size_t i : waiting_) {
             const auto place = static_cast<std::ptrdiff_t>(i) * kBits;
             const Bits pairs = left_.free[i] & bits_at(right_.free.data(), place + steps_[offset]);
             if (pairs == 0) continue;
@@ -170,8 +236,9 @@ void BitMatcher::flip(Place root, Place end, Side& from, Side& to) {
 }
 
 void BitMatcher::augment(Side& from, Side& to) {
-    open_ = to.set;
-    for (std::size_t i = head_; i < head_ + word_count_; ++i) {
+    for (const std::size_t i : to.words)
+        open_[i] = to.set[i];
+    for (const std::size_t i : from.words) {
         visit_bits(from.free[i], [&](int bit) {
             const auto root = static_cast<Place>(i * kBits + static_cast<std::size_t>(bit));
             Place end = 0;
@@ -182,12 +249,15 @@ void BitMatcher::augment(Side& from, Side& to) {
             ++size_;
         });
     }
+    for (const std::size_t i : to.words)
+        open_[i] = 0;
 }
 
 std::int64_t BitMatcher::match() {
     match_at_once();
+    if (size_ == std::min(left_.size, right_.size)) return size_;
     // No augmenting path is left when none begins at any free pixel of one side, whichever.
-    if (core::count_ones(left_.free) <= core::count_ones(right_.free)) {
+    if (left_.size <= right_.size) {
         augment(left_, right_);
     } else {
         augment(right_, left_);
@@ -197,9 +267,8 @@ std::int64_t BitMatcher::match() {
 
 std::int64_t BitMatcher::count_reached(const Side& side, const Side& other) const {
     std::int64_t reached = 0;
-    for (std::size_t i = head_; i < head_ + word_count_; ++i) {
+    for (const std::size_t i : side.words) {
         const Bits wanted = side.set[i];
-        if (wanted == 0) continue;
         Bits found = 0;
         for (const std::uint8_t offset : by_distance_) {
             found |=

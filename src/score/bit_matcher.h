@@ -26,9 +26,15 @@ class BitMatcher {
     BitMatcher(int width_px, int height_px, const Disk& disk);
 
     /// Replaces a set by the words of an edge::BitMask of the image's size.
-    void set_left(std::span<const std::uint64_t> words) { replace(left_, right_, words); }
-    void set_right(std::span<const std::uint64_t> words) { replace(right_, left_, words); }
+    void set_left(std::span<const std::uint64_t> words);
+    void set_right(std::span<const std::uint64_t> words);
+    /// Replaces a set by those pixels of a list that lie in the image, whose first is at (x0, y0).
+    void set_left(const PixelList& pixels, int x0 = 0, int y0 = 0);
+    void set_right(const PixelList& pixels, int x0 = 0, int y0 = 0);
 
+    /// Pixels of a set.
+    [[nodiscard]] std::int64_t left_size() const { return left_.size; }
+    [[nodiscard]] std::int64_t right_size() const { return right_.size; }
     /// Makes the matching as large as it can be, and returns its size.
     [[nodiscard]] std::int64_t match();
     /// Pixels of one set that have one of the other in reach.
@@ -40,8 +46,15 @@ class BitMatcher {
     /// A pixel: the number of its bit in the words.
     using Place = std::uint32_t;
 
+    /// 64 pixels in a row.
+    struct Word {
+        std::size_t at = 0;
+        Bits bits = 0;
+    };
     struct Side {
         std::vector<Bits> set;
+        std::vector<std::size_t> words;        ///< those that hold any of it, in order
+        std::int64_t size = 0;                 ///< pixels of it
         std::vector<Bits> free;                ///< those of them without a mate
         std::unique_ptr<std::uint8_t[]> mate;  ///< the offset to it, of those that have one
     };
@@ -52,13 +65,19 @@ class BitMatcher {
         std::uint8_t offset = 0;   ///< the number of the first pixel's offset
     };
 
-    void replace(Side& side, Side& other, std::span<const Bits> words);
+    void take(std::span<const Bits> words);
+    void take(const PixelList& pixels, int x0, int y0);
+    void replace(Side& side, Side& other);
+    void replace_word(Side& side, Side& other, const Word& word);
     void match_at_once();
     void augment(Side& from, Side& to);
     [[nodiscard]] bool search(Place root, const Side& to, Place& end);
     void flip(Place root, Place end, Side& from, Side& to);
     [[nodiscard]] std::int64_t count_reached(const Side& side, const Side& other) const;
 
+    int width_px_;
+    int height_px_;
+    std::size_t stride_;
     std::size_t word_count_;
     std::size_t head_;  ///< words before those of a set, so that a row above the first is there
     std::vector<Row> rows_;
@@ -68,7 +87,10 @@ class BitMatcher {
     Side right_;
     std::int64_t size_ = 0;
 
-    // The searches: who may still be reached, from which offset others were, and in which order.
+    std::vector<Word> taken_;           ///< the set that comes, where there is any of it
+    std::vector<std::size_t> waiting_;  ///< words with pixels that may be matched at once
+    // The searches: who may still be reached (nobody between two), from which offset others were,
+    // and in which order.
     std::vector<Bits> open_;
     std::unique_ptr<std::uint8_t[]> parent_;
     std::vector<Place> queue_;

@@ -2,16 +2,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "core/bits.h"
 #include "edge/bit_mask.h"
 #include "edge/set_pixels.h"
 #include "edge/thin.h"
 #include "score/bit_matcher.h"
 #include "score/drawing.h"
-#include "score/reach.h"
 #include "score/score.h"
 
 namespace ink::score {
@@ -53,21 +52,18 @@ class CurveCounter {
   public:
     explicit CurveCounter(const TruthLists& lists)
         : lists_(lists), matcher_(lists.countable.width_px(), lists.truth.height_px(), lists.disk) {
-        matcher_.set_right(mask_of(lists.truth, lists.countable.width_px()).words());
+        matcher_.set_right(lists.truth);
     }
 
     /// `drawn` is thin, and changed by this.
     [[nodiscard]] CurveCount count(edge::BitMask& drawn) {
-        CurveCount result{.n_truth = static_cast<std::int64_t>(lists_.truth.size())};
-        for (std::size_t i = 0; i < drawn.words().size(); ++i) {
-            std::uint64_t& word = drawn.words()[i];
-            if (word == 0) continue;
-            word &= lists_.countable.words()[i];
-            result.n_pred += core::count_ones(word);
-        }
-        matcher_.set_left(drawn.words());
-        result.k = matcher_.match();
-        return result;
+        const std::span<std::uint64_t> words = drawn.words();
+        const std::span<const std::uint64_t> countable = lists_.countable.words();
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] &= countable[i];
+        matcher_.set_left(words);
+        const std::int64_t k = matcher_.match();
+        return {k, matcher_.left_size(), matcher_.right_size()};
     }
 
   private:

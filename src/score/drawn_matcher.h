@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "edge/bit_mask.h"
 #include "score/bit_matcher.h"
 #include "score/pixel_list.h"
 
@@ -20,7 +19,6 @@ class DrawnMatcher {
 
   private:
     bool is_empty_;
-    edge::BitMask truth_;  ///< all 0 between two calls
     BitMatcher matcher_;
 };
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "edge/bit_mask.h"
 #include "score/bit_matcher.h"
 
 namespace ink::score {
@@ -33,18 +32,6 @@ Box box_of(const PixelList& pixels) {
     return box;
 }
 
-/// What of a list lies in a box, as a mask of the box's size.
-edge::BitMask mark(const PixelList& pixels, const Box& box) {
-    edge::BitMask mask(box.x1 - box.x0, box.y1 - box.y0);
-    for (int y = box.y0; y < box.y1; ++y) {
-        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
-            const int x = pixels.x(i);
-            if (x >= box.x0 && x < box.x1) mask.set(x - box.x0, y - box.y0);
-        }
-    }
-    return mask;
-}
-
 /// A matcher of the two lists, on the part of the image where they are near each other; nothing if
 /// they nowhere are.
 std::optional<BitMatcher> matcher_of(const PixelList& left,
@@ -59,8 +46,8 @@ std::optional<BitMatcher> matcher_of(const PixelList& left,
                   std::min(std::max(a.y1, b.y1), std::min(a.y1, b.y1) + reach)};
     if (box.x0 >= box.x1 || box.y0 >= box.y1) return std::nullopt;
     std::optional<BitMatcher> matcher(std::in_place, box.x1 - box.x0, box.y1 - box.y0, disk);
-    matcher->set_left(mark(left, box).words());
-    matcher->set_right(mark(right, box).words());
+    matcher->set_left(left, box.x0, box.y0);
+    matcher->set_right(right, box.x0, box.y0);
     return matcher;
 }
 

@@ -22,12 +22,6 @@ void set_run(std::uint64_t* row, int first, int end) {
 
 }  // namespace
 
-edge::BitMask mask_of(const PixelList& pixels, int width_px) {
-    edge::BitMask mask(width_px, pixels.height_px());
-    pixels.visit([&](int x, int y) { mask.set(x, y); });
-    return mask;
-}
-
 edge::BitMask reach_of(const PixelList& pixels, const Disk& disk, int width_px) {
     edge::BitMask mask(width_px, pixels.height_px());
     for (int y = 0; y < pixels.height_px(); ++y) {

@@ -5,9 +5,6 @@
 
 namespace ink::score {
 
-/// The pixels of a list as a mask.
-[[nodiscard]] edge::BitMask mask_of(const PixelList& pixels, int width_px);
-
 /// All pixels of the image that have one of `pixels` within the disk.
 [[nodiscard]] edge::BitMask reach_of(const PixelList& pixels, const Disk& disk, int width_px);
 
