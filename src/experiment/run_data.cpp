@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/dictionary.h"
@@ -58,35 +60,66 @@ std::optional<std::string> read_table(const fs::path& path) {
     return read_gzip_file(packed += ".gz");
 }
 
+/// The tables that are read back, those of them that are there.
+std::map<std::string, harness::CsvTable> split_tables(const Texts& texts,
+                                                      const std::string& where) {
+    std::map<std::string, harness::CsvTable> tables;
+    for (const char* name : {"rows.csv",
+                             "tolerances.csv",
+                             "bins.csv",
+                             "cost.csv",
+                             "curves.csv",
+                             "sweep.csv",
+                             "stress.csv",
+                             "hardest.csv",
+                             "bound.csv"})
+        if (texts.contains(name)) tables[name];
+    std::vector<std::string> names;
+    for (const auto& [name, csv] : tables)
+        names.push_back(name);
+    core::parallel_for(names.size(), core::hardware_threads(), [&](std::size_t i) {
+        const std::string file = (fs::path(where) / names[i]).string();
+        tables.at(names[i]) = harness::split_csv(texts.at(names[i]), file);
+    });
+    return tables;
+}
+
 }  // namespace
 
 RunTables parse_tables(const Texts& texts, const std::string& where) {
-    const auto table = [&](const std::string& name) -> std::optional<harness::CsvTable> {
-        const auto found = texts.find(name);
-        if (found == texts.end()) return std::nullopt;
-        return harness::split_csv(found->second, (fs::path(where) / name).string());
-    };
     RunTables run;
-    const auto rows = table("rows.csv");
-    if (!rows) return run;
+    const std::map<std::string, harness::CsvTable> tables = split_tables(texts, where);
+    const auto table = [&](const char* name) {
+        const auto found = tables.find(name);
+        return found == tables.end() ? nullptr : &found->second;
+    };
+    const harness::CsvTable* rows = table("rows.csv");
+    if (rows == nullptr) return run;
     std::vector<harness::RowRecord> records = harness::read_rows(*rows);
-    if (const auto csv = table("tolerances.csv")) harness::join_tolerances(*csv, records);
-    if (const auto csv = table("bins.csv")) harness::join_bins(*csv, records);
-    if (const auto csv = table("cost.csv")) harness::join_costs(*csv, records);
+    if (const auto* csv = table("tolerances.csv")) harness::join_tolerances(*csv, records);
+    if (const auto* csv = table("bins.csv")) harness::join_bins(*csv, records);
+    if (const auto* csv = table("cost.csv")) harness::join_costs(*csv, records);
     const harness::RowIndex index(records);
-    if (const auto csv = table("curves.csv")) {
-        for (harness::CurveRecord& record : harness::read_curves(*csv, index))
-            if (!harness::is_baseline(record.curve.method))
-                run.curves.push_back(std::move(record.curve));
-    }
-    if (const auto csv = table("sweep.csv")) run.sweep = harness::read_sweep(*csv, index);
+    const std::array<std::function<void()>, 2> long_tables = {
+        [&] {
+            const auto* csv = table("curves.csv");
+            if (csv == nullptr) return;
+            for (harness::CurveRecord& record : harness::read_curves(*csv, index))
+                if (!harness::is_baseline(record.curve.method))
+                    run.curves.push_back(std::move(record.curve));
+        },
+        [&] {
+            if (const auto* csv = table("sweep.csv")) run.sweep = harness::read_sweep(*csv, index);
+        }};
+    core::parallel_for(
+        long_tables.size(), core::hardware_threads(), [&](std::size_t i) { long_tables[i](); });
     std::map<std::int64_t, studies::CaseFaults> faults;
-    if (const auto csv = table("stress.csv")) {
+    if (const auto* csv = table("stress.csv")) {
         for (const auto& of : studies::read_faults(*csv, index))
             faults[of.row.cell] = of.faults;
     }
-    if (const auto csv = table("hardest.csv")) run.hardest = studies::hardest_table().read(*csv);
-    if (const auto csv = table("bound.csv")) run.bounds = linear_code::read_bounds(*csv, index);
+    if (const auto* csv = table("hardest.csv")) run.hardest = studies::hardest_table().read(*csv);
+    if (const auto* csv = table("bound.csv")) run.bounds = linear_code::read_bounds(*csv, index);
     for (harness::RowRecord& record : records) {
         if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});
         if (record.study != harness::Study::compare) continue;

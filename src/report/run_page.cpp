@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/escape.h"
+#include "core/parallel.h"
 #include "core/provenance.h"
 #include "core/vocabulary.h"
 #include "core/whole_file.h"
@@ -72,9 +73,14 @@ std::string live_json(const experiment::RunData& run, const fs::path& page_folde
 std::string run_json(const experiment::RunData& run,
                      const std::string& label,
                      const fs::path& page_folder) {
-    std::vector<std::string> tables;
+    std::vector<std::string> names;
     for (const auto& [name, text] : run.texts)
-        tables.push_back(json_text(name) + ":" + packed_table(text, (run.folder / name).string()));
+        names.push_back(name);
+    std::vector<std::string> tables(names.size());
+    core::parallel_for(tables.size(), core::hardware_threads(), [&](std::size_t i) {
+        const std::string where = (run.folder / names[i]).string();
+        tables[i] = json_text(names[i]) + ":" + packed_table(run.texts.at(names[i]), where);
+    });
     return fmt::format(R"({{"label":{},"record":{},"live":{},"tables":{{{}}}}})",
                        json_text(label),
                        record_json(run.record),

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/parallel.h"
+
 namespace ink::statistics {
 namespace {
 
@@ -137,18 +139,31 @@ std::vector<PairedIntervals> paired_intervals(std::span<const PairedCounts> pair
     std::vector<PairedIntervals> intervals(pairs.size());
     if (cluster_count < kFewestClusters || options.resamples < 2) return intervals;
     const std::vector<std::vector<double>> drawings = drawings_of(cluster_count, options);
+    std::vector<Distances> distances(pairs.size());
+    constexpr std::size_t kPairsAtOnce = 16;
+    const auto parts = core::parallel_parts<std::vector<double>>(
+        pairs.size(),
+        kPairsAtOnce,
+        core::hardware_threads(),
+        [&](std::size_t begin, std::size_t end, std::vector<double>& largest) {
+            largest.assign(drawings.size(), 0);
+            for (std::size_t p = begin; p < end; ++p) {
+                const PairedCounts& pair = pairs[p];
+                assert(pair.a.size() == pair.cluster.size());
+                assert(pair.b.empty() || pair.b.size() == pair.cluster.size());
+                if (pair.cluster.size() >= kFewestClusters)
+                    distances[p] = distances_of(pair, drawings, largest);
+            }
+        });
     std::vector<double> largest(drawings.size(), 0);
-    std::vector<Distances> distances;
-    for (const PairedCounts& pair : pairs) {
-        assert(pair.a.size() == pair.cluster.size());
-        assert(pair.b.empty() || pair.b.size() == pair.cluster.size());
-        const bool is_known = pair.cluster.size() >= kFewestClusters;
-        distances.push_back(is_known ? distances_of(pair, drawings, largest) : Distances{});
+    for (const std::vector<double>& of_part : parts) {
+        for (std::size_t d = 0; d < largest.size(); ++d)
+            largest[d] = std::max(largest[d], of_part[d]);
     }
     const double reach = *quantile(largest, 0.95);
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
+    core::parallel_for(pairs.size(), core::hardware_threads(), [&](std::size_t p) {
         const std::size_t count = pairs[p].cluster.size();
-        if (count < kFewestClusters) continue;
+        if (count < kFewestClusters) return;
         const auto& [measured, own] = distances[p];
         const bool is_difference = !pairs[p].b.empty();
         const double half = own.empty() ? 0 : students(reach, static_cast<double>(count - 1));
@@ -157,7 +172,7 @@ std::vector<PairedIntervals> paired_intervals(std::span<const PairedCounts> pair
                                     -quantile(own, 0.025).value_or(0),
                                     is_difference),
                         interval_of(measured, half, half, is_difference)};
-    }
+    });
     return intervals;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/named.h"
+#include "core/parallel.h"
 #include "methods/registry.h"
 #include "statistics/bootstrap.h"
 
@@ -236,7 +237,8 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
         summary.is_baseline = harness::is_baseline(row.method);
         summaries.push_back(summary);
     }
-    for (MethodSummary& summary : summaries) {
+    core::parallel_for(summaries.size(), core::hardware_threads(), [&](std::size_t i) {
+        MethodSummary& summary = summaries[i];
         const Rows good = good_rows(rows, summary.method);
         const auto all = std::count_if(rows.begin(), rows.end(), [&](const harness::Row& row) {
             return row.method == summary.method;
@@ -245,7 +247,7 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
         summary.failed = static_cast<int>(all) - summary.views;
         summarise_scores(good, summary);
         summarise_costs(good, summary);
-    }
+    });
     std::stable_partition(
         summaries.begin(), summaries.end(), [](const MethodSummary& s) { return !s.is_baseline; });
     return summaries;
