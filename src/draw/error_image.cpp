@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "draw/palette.h"
+#include "edge/set_pixels.h"
 #include "edge/thin.h"
 #include "truth/line_class.h"
 
@@ -51,21 +52,22 @@ glm::u8vec3 colour_of_mark(Mark mark) {
     return mark == Mark::ignored ? kIgnoredColour.rgb : kPaper.rgb;
 }
 
-/// The most important pixel of each factor x factor block; `matters_more(a, b)` says a beats b.
+/// The most important pixel of each factor x factor block; `matters_more(a, b)` says a beats b, and
+/// 0 matters least.
 template <class T, class Order>
 core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_more) {
     assert(factor >= 1);
+    static_assert(sizeof(T) == 1);
     const auto shrunk = [factor](int size) { return (size + factor - 1) / factor; };
-    if (factor == 1) return image;
     core::Image<T> small(shrunk(image.width_px()), shrunk(image.height_px()));
     for (int y = 0; y < image.height_px(); ++y) {
-        const T* from = image.row(y);
+        const T* const from = image.row(y);
         T* const to = small.row(y / factor);
-        for (int x = 0; x < small.width_px(); ++x) {
-            const int end = std::min((x + 1) * factor, image.width_px()) - x * factor;
-            for (int i = 0; i < end; ++i, ++from)
-                if (matters_more(*from, to[x])) to[x] = *from;
-        }
+        const auto* const bytes = reinterpret_cast<const std::uint8_t*>(from);
+        edge::visit_set_pixels(bytes, image.width_px(), [&](int x) {
+            T& most = to[x / factor];
+            if (matters_more(from[x], most)) most = from[x];
+        });
     }
     return small;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <mutex>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
+#include "edge/set_pixels.h"
 #include "image_io/image_file.h"
 #include "truth/truth.h"
 
@@ -34,25 +36,38 @@ constexpr const char* kErrors = ".errors.png";
 /// the truth's own layers show, or nothing that belongs to one view's pixels.
 constexpr std::array<std::string_view, 4> kKeptLayers = {"packed", "filtered", "depth", "normal"};
 
-/// An image that is made when it is asked for, and its file.
+/// PNGs by the images that they hold.
+class PngStore {
+  public:
+    /// Where the PNG of an image will be once all are there.
+    template <class T>
+    const std::string* put(const core::Image<T>& image) {
+        // Grey and colours are not to be taken for each other.
+        const std::string hash = fmt::format("{} {}", sizeof(T), core::image_hash(image));
+        std::unique_lock lock(mutex_);
+        const auto [found, is_new] = pngs_.try_emplace(hash);
+        lock.unlock();
+        if (is_new) {
+            const std::vector<std::uint8_t> bytes = image_io::encode_png(image);
+            found->second.assign(bytes.begin(), bytes.end());
+        }
+        return &found->second;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::map<std::string, std::string> pngs_;
+};
+
+/// A file, and what puts its image into the store.
 struct Picture {
     std::string file;
-    std::function<std::string()> hash;
-    std::function<std::string()> png;
+    std::function<const std::string*(PngStore&)> put;
 };
 
 template <class Make>
 Picture picture(std::string file, Make make) {
-    const auto png = [make] {
-        const std::vector<std::uint8_t> bytes = image_io::encode_png(make());
-        return std::string(bytes.begin(), bytes.end());
-    };
-    // Grey and colours are not to be taken for each other.
-    const auto hash = [make] {
-        const auto& image = make();
-        return fmt::format("{} {}", sizeof(image.data()[0]), core::image_hash(image));
-    };
-    return {std::move(file), hash, png};
+    return {std::move(file), [make](PngStore& store) { return store.put(make()); }};
 }
 
 Gray errors_of(const Evaluation& evaluation) {
@@ -119,18 +134,15 @@ Gray read_sized(const fs::path& file, const Gray& truth) {
 std::vector<score::WrongPixel> wrong_pixels(const fs::path& file, const Gray& truth) {
     std::vector<score::WrongPixel> wrong;
     const Gray errors = read_sized(file, truth);
-    for (int y = 0; y < errors.height_px(); ++y) {
-        for (int x = 0; x < errors.width_px(); ++x) {
-            const int code = errors.at(x, y);
-            if (code == 0) continue;
-            if (code > static_cast<int>(score::kCauseCount)) {
-                throw core::Error(file.string(),
-                                  fmt::format("pixel {},{} holds {}", x, y, code),
-                                  fmt::format("0..{}", score::kCauseCount));
-            }
-            wrong.push_back({{x, y}, static_cast<score::Cause>(code - 1)});
+    edge::visit_set_pixels(errors, [&](int x, int y) {
+        const int code = errors.at(x, y);
+        if (code > static_cast<int>(score::kCauseCount)) {
+            throw core::Error(file.string(),
+                              fmt::format("pixel {},{} holds {}", x, y, code),
+                              fmt::format("0..{}", score::kCauseCount));
         }
-    }
+        wrong.push_back({{x, y}, static_cast<score::Cause>(code - 1)});
+    });
     return wrong;
 }
 
@@ -190,22 +202,15 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
                         [&]() -> const Rgb& { return layer.rgb; }));
         }
     }
-    const auto for_each = [&](auto work) {
-        core::parallel_for(pictures.size(), core::hardware_threads(), work);
-    };
     // Methods share their buffers' layers with others, and often draw the same.
-    std::vector<std::string> hashes(pictures.size());
-    for_each([&](std::size_t i) { hashes[i] = pictures[i].hash(); });
-    std::map<std::string, std::size_t> firsts;
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-        firsts.try_emplace(hashes[i], i);
-    std::vector<std::string> bytes(pictures.size());
-    for_each([&](std::size_t i) {
-        if (firsts.at(hashes[i]) == i) bytes[i] = pictures[i].png();
+    PngStore store;
+    std::vector<const std::string*> pngs(pictures.size());
+    core::parallel_for(pictures.size(), core::hardware_threads(), [&](std::size_t i) {
+        pngs[i] = pictures[i].put(store);
     });
     std::map<std::string, std::string> files;
     for (std::size_t i = 0; i < pictures.size(); ++i)
-        files[(folder / pictures[i].file).string()] = bytes[firsts.at(hashes[i])];
+        files[(folder / pictures[i].file).string()] = *pngs[i];
     return files;
 }
 

@@ -75,7 +75,8 @@ void check_is_gray(const OIIO::ImageSpec& spec, const fs::path& path) {
 GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec& spec) {
     GrayFile gray{core::Image<std::uint8_t>(spec.width, spec.height)};
     const auto channels = static_cast<std::size_t>(spec.nchannels);
-    for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
+    if (channels == 1) std::copy(samples.begin(), samples.end(), gray.pixels.data());
+    for (std::size_t i = 0; channels > 1 && i < gray.pixels.size(); ++i) {
         const std::uint8_t* pixel = samples.data() + i * channels;
         gray.pixels.data()[i] = channels < 3 ? pixel[0] : luma(Rgb(pixel[0], pixel[1], pixel[2]));
         if (channels >= 3 && (pixel[0] != pixel[1] || pixel[1] != pixel[2])) gray.has_colour = true;

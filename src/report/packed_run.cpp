@@ -85,13 +85,14 @@ Codes codes_of(const draw::Marks& marks) {
 
 /// The PNGs of an image, from the factor of index `first` on.
 template <class Picture, class CodesOf>
-AtFactors pngs_of(const Picture& picture, std::size_t first, CodesOf codes_of_picture) {
+AtFactors pngs_of(Picture picture, std::size_t first, CodesOf codes_of_picture) {
     AtFactors pngs;
-    Picture small = draw::shrink(picture, kFactors[first]);
+    int factor = 1;
     for (std::size_t f = first; f < kFactors.size(); ++f) {
         // What matters most of blocks matters most of the block that they make.
-        if (f > first) small = draw::shrink(small, kFactors[f] / kFactors[f - 1]);
-        pngs[f] = png_of(codes_of_picture(small));
+        if (kFactors[f] > factor) picture = draw::shrink(picture, kFactors[f] / factor);
+        factor = kFactors[f];
+        pngs[f] = png_of(codes_of_picture(picture));
     }
     return pngs;
 }
@@ -102,13 +103,14 @@ AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
     std::vector<AtFactors> pngs(view.images.size() + 1);
     core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
         if (i == 0) {
-            pngs[i] = pngs_of(view.labels, first, [](const Codes& labels) { return labels; });
+            pngs[i] = pngs_of(
+                view.labels, first, [](const Codes& labels) -> const Codes& { return labels; });
             return;
         }
         const harness::MethodImage& image = view.images[i - 1];
-        const draw::Marks marks =
+        draw::Marks marks =
             marker.mark(image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
-        pngs[i] = pngs_of(marks, first, codes_of);
+        pngs[i] = pngs_of(std::move(marks), first, codes_of);
     });
     std::vector<std::string> methods;
     for (const auto& [method, image] : view.image_of)
