@@ -1,43 +1,14 @@
 #include "methods/edge_hash/soup_edges.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <utility>
 
 #include "buffers/vertex_weld.h"
-#include "core/hash.h"
+#include "core/numbering.h"
 
 namespace ink::methods {
 namespace {
-
-constexpr std::uint32_t kFree = 0xffffffffU;
-
-/// The third level of the key: edges by their two places. Open addressing, linear probing; twice as
-/// many slots as there can be edges.
-class EdgeTable {
-  public:
-    EdgeTable(std::size_t most_edges, std::vector<SoupEdge>& edges)
-        : slots_(std::bit_ceil(std::max<std::size_t>(16, most_edges * 2)), kFree), edges_(edges) {}
-
-    /// The edge between two places, entered if it is new.
-    std::uint32_t find(std::uint32_t a, std::uint32_t b) {
-        const auto key = static_cast<std::uint64_t>(a) << 32 | b;
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t at = core::Hasher().value(key).result() & mask;
-        while (slots_[at] != kFree) {
-            const SoupEdge& edge = edges_[slots_[at]];
-            if (edge.a == a && edge.b == b) return slots_[at];
-            at = (at + 1) & mask;
-        }
-        slots_[at] = static_cast<std::uint32_t>(edges_.size());
-        edges_.push_back({a, b, 0, 0});
-        return slots_[at];
-    }
-
-  private:
-    std::vector<std::uint32_t> slots_;
-    std::vector<SoupEdge>& edges_;
-};
 
 /// Lists each edge's faces beside each other; `edge_of` is per side of a face.
 void list_faces(const std::vector<std::uint32_t>& edge_of, SoupEdges& soup) {
@@ -70,14 +41,17 @@ SoupEdges find_edges(const Soup& soup, double epsilon) {
     SoupEdges found;
     found.vertex_of = std::move(weld.first_of);
     found.faces = std::move(welded.faces);
-    EdgeTable table(found.faces.size() * 3, found.edges);
+    // The third level of the key: edges by their two places.
+    core::Numbering<std::array<std::uint32_t, 2>> numbers(found.faces.size() * 3);
     std::vector<std::uint32_t> edge_of;
     edge_of.reserve(found.faces.size() * 3);
     for (const scene::Triangle& face : found.faces) {
         for (std::size_t i = 0; i < 3; ++i) {
             const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
-            edge_of.push_back(table.find(a, b));
-            ++found.edges[edge_of.back()].count;
+            const auto [edge, is_new] = numbers.insert({a, b});
+            if (is_new) found.edges.push_back({a, b, 0, 0});
+            edge_of.push_back(edge);
+            ++found.edges[edge].count;
         }
     }
     list_faces(edge_of, found);

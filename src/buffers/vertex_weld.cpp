@@ -5,10 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <unordered_map>
-#include <unordered_set>
 
-#include "core/hash.h"
+#include "core/numbering.h"
 #include "scene/box.h"
 #include "scene/predicates.h"
 
@@ -17,14 +15,11 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
-/// The places found so far, listed by the cube they lie in. Two cubes of one
-/// hash share a list, which costs a comparison and changes nothing.
+/// The places found so far, listed by the cube they lie in.
 class Places {
   public:
     Places(std::span<const glm::dvec3> points, double distance)
-        : points_(points), distance_(distance) {
-        lists_.reserve(points.size());
-    }
+        : points_(points), distance_(distance), cells_(points.size()) {}
 
     /// The first place within reach of a point, or kNone.
     [[nodiscard]] std::uint32_t find(const glm::dvec3& p) const {
@@ -44,9 +39,10 @@ class Places {
     }
 
     void add(std::uint32_t vertex) {
-        auto [head, is_new] = lists_.try_emplace(key_of(cell_of(points_[vertex])), kNone);
-        next_.push_back(head->second);
-        head->second = static_cast<std::uint32_t>(vertices_.size());
+        const auto [cell, is_new] = cells_.insert(cell_of(points_[vertex]));
+        if (is_new) last_in_.push_back(kNone);
+        next_.push_back(last_in_[cell]);
+        last_in_[cell] = static_cast<std::uint32_t>(vertices_.size());
         vertices_.push_back(vertex);
     }
 
@@ -58,14 +54,11 @@ class Places {
     [[nodiscard]] glm::dvec3 cell_of(const glm::dvec3& p) const {
         return distance_ == 0 ? p + 0.0 : glm::floor(p / (kSide * distance_)) + 0.0;
     }
-    [[nodiscard]] static std::uint64_t key_of(const glm::dvec3& cell) {
-        return core::Hasher().value(cell).result();
-    }
     [[nodiscard]] std::uint32_t first_in(const glm::dvec3& cell, const glm::dvec3& p) const {
         std::uint32_t first = kNone;
-        const auto head = lists_.find(key_of(cell));
-        if (head == lists_.end()) return first;
-        for (std::uint32_t i = head->second; i != kNone; i = next_[i]) {
+        const auto number = cells_.find(cell);
+        if (!number) return first;
+        for (std::uint32_t i = last_in_[*number]; i != kNone; i = next_[i]) {
             const glm::dvec3 d = points_[vertices_[i]] - p;
             if (glm::dot(d, d) <= distance_ * distance_) first = std::min(first, i);
         }
@@ -77,15 +70,10 @@ class Places {
 
     std::span<const glm::dvec3> points_;
     double distance_;
-    std::unordered_map<std::uint64_t, std::uint32_t> lists_;  ///< the last place of each list
-    std::vector<std::uint32_t> next_;      ///< per place the one before in its list
+    core::Numbering<glm::dvec3> cells_;
+    std::vector<std::uint32_t> last_in_;   ///< per cube its last place
+    std::vector<std::uint32_t> next_;      ///< per place the one before in its cube
     std::vector<std::uint32_t> vertices_;  ///< per place its first vertex
-};
-
-struct FaceHash {
-    std::size_t operator()(const scene::Triangle& f) const {
-        return core::Hasher().value(f).result();
-    }
 };
 
 }  // namespace
@@ -120,7 +108,7 @@ WeldedFaces weld_faces(const VertexWeld& weld,
                        std::span<const scene::Triangle> triangles,
                        DoubleFaces double_faces) {
     WeldedFaces welded;
-    std::unordered_set<scene::Triangle, FaceHash> seen;
+    core::Numbering<scene::Triangle> seen(double_faces == DoubleFaces::drop ? triangles.size() : 0);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         scene::Triangle face{};
         std::array<glm::dvec3, 3> p{};

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/parallel.h"
 #include "experiment/run_data.h"
 #include "harness/tables/csv_table.h"
 #include "studies/axis_summary.h"
@@ -54,7 +55,11 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     std::map<std::string, std::string> texts;
     const std::vector<std::size_t> blocks = store.indices();
     for (const RecordedTable& table : record.tables)
-        texts[table.name] = joined(table, store, blocks);
+        texts[table.name];
+    core::parallel_for(record.tables.size(), core::hardware_threads(), [&](std::size_t i) {
+        const RecordedTable& table = record.tables[i];
+        texts.at(table.name) = joined(table, store, blocks);
+    });
 
     if (blocks.size() < static_cast<std::size_t>(record.blocks)) drop_lines_without_cell(texts);
     const RunTables data = parse_tables(texts, store.folder().string());

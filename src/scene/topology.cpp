@@ -1,13 +1,13 @@
 #include "scene/topology.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/hash.h"
+#include "core/numbering.h"
 #include "scene/box.h"
 #include "scene/near_points.h"
 #include "scene/precision/rounding.h"
@@ -19,57 +19,8 @@ namespace {
 
 constexpr std::uint32_t kFree = 0xffffffffU;
 
-/// Numbers keys in the order in which they first appear; open addressing, linear probing.
-///
-/// `K` needs == and a hash functor; keys are kept, so the table is also the list of them.
-template <class K, class Hash>
-class Numbering {
-  public:
-    explicit Numbering(std::size_t expected) {
-        slots_.assign(std::bit_ceil(std::max<std::size_t>(16, expected * 2)), kFree);
-    }
-    /// The number of `key`, and whether it is new.
-    std::pair<std::uint32_t, bool> insert(const K& key) {
-        if (keys_.size() * 2 >= slots_.size()) rebuild(slots_.size() * 2);
-        const std::size_t slot = find(key);
-        if (slots_[slot] != kFree) return {slots_[slot], false};
-        slots_[slot] = static_cast<std::uint32_t>(keys_.size());
-        keys_.push_back(key);
-        return {slots_[slot], true};
-    }
-    [[nodiscard]] std::vector<K>& keys() { return keys_; }
-
-  private:
-    [[nodiscard]] std::size_t find(const K& key) const {
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t slot = Hash{}(key)&mask;
-        while (slots_[slot] != kFree && !(keys_[slots_[slot]] == key))
-            slot = (slot + 1) & mask;
-        return slot;
-    }
-    void rebuild(std::size_t size) {
-        slots_.assign(size, kFree);
-        for (std::uint32_t i = 0; i < keys_.size(); ++i)
-            slots_[find(keys_[i])] = i;
-    }
-
-    std::vector<std::uint32_t> slots_;
-    std::vector<K> keys_;
-};
-
-struct PointHash {
-    std::size_t operator()(const glm::dvec3& p) const { return core::Hasher().value(p).result(); }
-};
-using EdgeKey = std::pair<std::uint32_t, std::uint32_t>;
-struct EdgeHash {
-    std::size_t operator()(const EdgeKey& e) const {
-        return core::Hasher().value(static_cast<std::uint64_t>(e.first) << 32 | e.second).result();
-    }
-};
+using EdgeKey = std::array<std::uint32_t, 2>;
 using FaceKey = std::array<std::uint32_t, 3>;
-struct FaceHash {
-    std::size_t operator()(const FaceKey& f) const { return core::Hasher().value(f).result(); }
-};
 
 /// -0 and 0 are one place, and must hash alike.
 glm::dvec3 without_negative_zero(const glm::dvec3& p) {
@@ -142,7 +93,7 @@ class Moves {
         return box.diagonal();
     }
 
-    Numbering<glm::dvec3, PointHash> places_;
+    core::Numbering<glm::dvec3> places_;
     std::vector<glm::dvec3> moved_;
     std::size_t joined_ = 0;
 };
@@ -163,8 +114,8 @@ bool has_area(const Instance& instance, const Mesh& mesh, const Triangle& t) {
 /// dropped.
 void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     const std::size_t count = triangle_count(scene);
-    Numbering<glm::dvec3, PointHash> points(count / 2);
-    Numbering<FaceKey, FaceHash> seen(count);
+    core::Numbering<glm::dvec3> points(count / 2);
+    core::Numbering<FaceKey> seen(count);
     topology.counts.triangles = count;
 
     std::uint32_t triangle_index = 0;
@@ -229,7 +180,7 @@ void count_edges(Topology& topology) {
 
 /// Numbers the edges in the order in which the faces meet them and lists each edge's faces.
 void build_edges(Topology& topology) {
-    Numbering<EdgeKey, EdgeHash> keys(topology.faces.size() * 3 / 2);
+    core::Numbering<EdgeKey> keys(topology.faces.size() * 3 / 2);
     for (Face& face : topology.faces) {
         for (std::size_t i = 0; i < 3; ++i) {
             const auto [a, b] = std::minmax(face.vertices[i], face.vertices[(i + 1) % 3]);
@@ -238,7 +189,7 @@ void build_edges(Topology& topology) {
     }
     topology.edges.reserve(keys.keys().size());
     for (const EdgeKey& key : keys.keys())
-        topology.edges.push_back({key.first, key.second, 0, 0});
+        topology.edges.push_back({key[0], key[1]});
     for (const Face& face : topology.faces) {
         for (const std::uint32_t e : face.edges)
             ++topology.edges[e].face_count;
@@ -265,6 +216,24 @@ glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) 
     return to_opposite - along * glm::dot(along, to_opposite);
 }
 
+double deviation_between(const Topology& topology,
+                         const Edge& edge,
+                         std::uint32_t face0,
+                         std::uint32_t face1) {
+    const glm::dvec3 d0 = inward(topology, edge, topology.faces[face0]);
+    const glm::dvec3 d1 = inward(topology, edge, topology.faces[face1]);
+    return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
+}
+
+/// Once, since many ask for them.
+void measure_deviations(Topology& topology) {
+    for (Edge& edge : topology.edges) {
+        if (edge.face_count != 2) continue;
+        const auto faces = topology.faces_of(edge);
+        edge.deviation_rad = deviation_between(topology, edge, faces[0], faces[1]);
+    }
+}
+
 }  // namespace
 
 Topology weld(const Scene& scene, const WeldOptions& options) {
@@ -274,6 +243,7 @@ Topology weld(const Scene& scene, const WeldOptions& options) {
     weld_faces(scene, moves, topology);
     build_edges(topology);
     count_edges(topology);
+    measure_deviations(topology);
     return topology;
 }
 
@@ -297,9 +267,8 @@ double deviation_rad(const Topology& topology,
                      const Edge& edge,
                      std::uint32_t face0,
                      std::uint32_t face1) {
-    const glm::dvec3 d0 = inward(topology, edge, topology.faces[face0]);
-    const glm::dvec3 d1 = inward(topology, edge, topology.faces[face1]);
-    return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
+    if (edge.face_count == 2) return edge.deviation_rad;
+    return deviation_between(topology, edge, face0, face1);
 }
 
 }  // namespace ink::scene

@@ -27,6 +27,7 @@ struct Edge {
     std::uint32_t b = 0;
     std::uint32_t first_face = 0;  ///< its faces are Topology::edge_faces[first_face, + face_count)
     std::uint32_t face_count = 0;  ///< 1 boundary, 2 manifold, more non-manifold
+    double deviation_rad = 0;      ///< of the two of a manifold edge, as the function says
 };
 
 /// What welding met; nothing of it is repaired.
