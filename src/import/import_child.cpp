@@ -23,6 +23,7 @@
 #include "core/error.h"
 #include "import/animation_choice.h"
 #include "import/assimp/assimp_reader.h"
+#include "import/assimp/dae_file.h"
 #include "import/gltf/gltf_reader.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
@@ -256,7 +257,7 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
     if (auto reply = read_mesh_file(path)) return std::move(*reply);
-    refuse_other_format(path);
+    if (!is_dae(path)) refuse_other_format(path);
     return read_with_assimp(path, choice, 0);
 }
 

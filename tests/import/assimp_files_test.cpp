@@ -6,7 +6,6 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "import/assimp/dae_cameras.h"
 #include "import/assimp/fbx.h"
 #include "scene/animation.h"
 #include "tests/core/error_text.h"
@@ -115,19 +114,6 @@ TEST_F(AssimpFiles, VerticalAnglesOfColladaHold) {
     EXPECT_NEAR(angle_deg("<xfov>60</xfov><aspect_ratio>2</aspect_ratio>"),
                 2 * half * 180 / std::numbers::pi,
                 1e-9);
-}
-
-TEST(DaeCameras, AreFoundThroughNodes) {
-    const auto cameras = read_dae_cameras(
-        "<COLLADA><!-- <camera id='c'> --><camera id='c'><perspective><xfov>60</xfov></perspective>"
-        "</camera><node sid = \"only sid\"><instance_camera url=\"#c\"/><node "
-        "id='in'/><instance_camera "
-        "url='#c'></instance_camera></node><node id='n'><instance_camera url='#none'/></node>");
-    ASSERT_EQ(cameras.size(), 2U);
-    EXPECT_EQ(cameras[1].node, "only sid");
-    EXPECT_EQ(cameras[0].xfov_deg, 60);
-    EXPECT_EQ(cameras[0].fov_y_rad(), std::nullopt) << "of no aspect";
-    EXPECT_THAT(read_dae_cameras("<node id='n'><instance_camera url='#c'"), IsEmpty());
 }
 
 TEST(FbxCameras, AreFoundInBinaryFiles) {

@@ -16,6 +16,7 @@
 #include "core/interrupt.h"
 #include "harness/out_folder.h"
 #include "harness/skip_switches.h"
+#include "import/rest_alone.h"
 #include "methods/method_configs.h"
 #include "studies/timedemo.h"
 
@@ -74,6 +75,7 @@ void run_timedemo(const TimedemoArgs& args) {
     }
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
+    import::check_motion_is_read(scene_views.scene, "timedemo");
     print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const char* what_is_left = "nothing is written";

@@ -12,15 +12,17 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "import/animation_choice.h"
 #include "import/assimp/assimp_nodes.h"
-#include "import/assimp/dae_cameras.h"
+#include "import/assimp/dae_file.h"
 #include "import/assimp/fbx.h"
 #include "import/meshes/polygons.h"
 #include "import/model_bytes.h"
+#include "import/rest_alone.h"
 #include "import/stage_3ds.h"
 
 namespace ink::import {
@@ -152,15 +154,14 @@ struct CameraFacts {
     }
 };
 
-CameraFacts camera_facts(const std::filesystem::path& path, const std::string& reader) {
+CameraFacts camera_facts(const std::filesystem::path& path,
+                         const std::string& reader,
+                         const std::optional<DaeFile>& dae) {
     CameraFacts facts;
-    const bool is_dae = reader.starts_with("Collada");
-    const bool is_fbx = reader.starts_with("Autodesk FBX");
-    if (!is_dae && !is_fbx) return facts;
+    if (dae) facts.dae = dae->cameras;
+    if (!reader.starts_with("Autodesk FBX")) return facts;
     const std::vector<std::byte> bytes = bytes_of(path);
-    const std::string_view file = text_of(bytes);
-    if (is_dae) facts.dae = read_dae_cameras(file);
-    if (is_fbx) facts.parallel_of_fbx = read_fbx_parallel_cameras(file);
+    facts.parallel_of_fbx = read_fbx_parallel_cameras(text_of(bytes));
     return facts;
 }
 
@@ -250,13 +251,19 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     // From 5.3 on, Assimp turns FBX files itself, and by another rule. The key has no name before.
     importer.SetPropertyBool("AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION", true);
-    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    std::optional<DaeFile> dae;
+    if (is_dae(path)) dae = read_dae(path);
+    const aiScene* scene =
+        dae ? importer.ReadFileFromMemory(dae->text.data(), dae->text.size(), 0, "dae")
+            : importer.ReadFile(path.string(), 0);
     if (scene == nullptr) return refusal(importer, path);
     const auto full =
         std::count_if(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, [](const aiMesh* mesh) {
             return mesh->mNumVertices > 0 && mesh->mNumFaces > 0;
         });
     ImportReply reply;
+    if (dae) reply.notes = dae->notes;
+    if (dae && dae->has_motion) note_rest_alone(choice, reply.notes);
     if (full == 0) return reply;  // the validation would only say it less clearly
     const bool is_all_there = full == scene->mNumMeshes;
     // Points and lines stay in and are dropped with the faces that are no triangles: Assimp's own
@@ -280,7 +287,7 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
         reply.cameras = read_3ds_cameras(path, motion);
         reply.lights = read_3ds_lights(path, motion, reply.notes);
     } else {
-        convert_cameras(*scene, nodes, camera_facts(path, reader), reply);
+        convert_cameras(*scene, nodes, camera_facts(path, reader, dae), reply);
         reply.lights = convert_lights(*scene, nodes);
     }
     take_base_colors(*scene, reply);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <pugixml.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ink::import {
@@ -23,10 +23,10 @@ struct DaeCamera {
     [[nodiscard]] double height() const;
 };
 
-/// The cameras in a Collada file, in the order of its nodes.
+/// The cameras in a Collada document, in the order of its nodes.
 ///
 /// Needed because Assimp takes an orthographic camera for one of perspective, and xfov for the
-/// whole truth where yfov stands beside it. What is no well-formed XML ends the search.
-[[nodiscard]] std::vector<DaeCamera> read_dae_cameras(std::string_view file);
+/// whole truth where yfov stands beside it.
+[[nodiscard]] std::vector<DaeCamera> dae_cameras(const pugi::xml_node& root);
 
 }  // namespace ink::import

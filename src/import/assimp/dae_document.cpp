@@ -1,0 +1,127 @@
+#include "import/assimp/dae_document.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "import/meshes/line_words.h"
+#include "import/refusal.h"
+#include "import/xml.h"
+
+namespace ink::import {
+
+using Element = pugi::xml_node;
+
+std::string named(const Element& element) {
+    std::string text = std::string("<") + element.name();
+    for (const char* key : {"id", "sid", "url", "source", "semantic"}) {
+        const pugi::xml_attribute attribute = element.attribute(key);
+        if (!attribute) continue;
+        return text + ' ' + key + "=" + in_quotes(attribute.value()) + '>';
+    }
+    return text + '>';
+}
+
+void DaeDocument::number_ids() {
+    by_id_.clear();
+    Element at = root_;
+    while (at) {
+        const std::string id = at.attribute("id").value();
+        if (!id.empty()) by_id_.emplace(id, at);
+        if (at.first_child()) {
+            at = at.first_child();
+            continue;
+        }
+        while (at && at != root_ && !at.next_sibling())
+            at = at.parent();
+        at = at == root_ ? Element() : at.next_sibling();
+    }
+}
+
+Element DaeDocument::find(std::string_view kind, std::string_view id) const {
+    const auto [first, last] = by_id_.equal_range(id);
+    const auto found =
+        std::find_if(first, last, [&](const auto& entry) { return entry.second.name() == kind; });
+    return found == last ? Element() : found->second;
+}
+
+Element DaeDocument::target(const Element& from,
+                            const char* attribute,
+                            const std::vector<std::string_view>& kinds) const {
+    const std::string_view url = from.attribute(attribute).value();
+    if (!url.empty() && !url.starts_with('#')) {
+        throw Refusal("",
+                      named(from) + " is in another file, which is not read",
+                      "a document that is whole in one file");
+    }
+    for (const std::string_view kind : kinds) {
+        const Element found = find(kind, url.substr(url.empty() ? 0 : 1));
+        if (found) return found;
+    }
+    throw core::Error("",
+                      named(from) + " names what the file does not hold",
+                      "the id of a <" + std::string(kinds.front()) + '>');
+}
+
+std::string DaeDocument::new_id(std::string wanted) const {
+    while (by_id_.contains(wanted))
+        wanted += '_';
+    return wanted;
+}
+
+void write_vectors(const std::vector<double>& numbers, Element source) {
+    const std::string id = source.attribute("id").value();
+    while (source.first_child())
+        source.remove_child(source.first_child());
+    std::string text;
+    for (const double number : numbers) {
+        char word[32];
+        text.append(word,
+                    static_cast<std::size_t>(std::snprintf(word, sizeof word, "%.9g ", number)));
+    }
+    Element array = source.append_child("float_array");
+    array.append_attribute("id").set_value((id + "-array").c_str());
+    array.append_attribute("count").set_value(static_cast<unsigned long long>(numbers.size()));
+    array.text().set(text.c_str());
+    Element accessor = source.append_child("technique_common").append_child("accessor");
+    accessor.append_attribute("source").set_value(('#' + id + "-array").c_str());
+    accessor.append_attribute("count").set_value(
+        static_cast<unsigned long long>(numbers.size() / 3));
+    accessor.append_attribute("stride").set_value(3);
+    for (const char* axis : {"X", "Y", "Z"}) {
+        Element parameter = accessor.append_child("param");
+        parameter.append_attribute("name").set_value(axis);
+        parameter.append_attribute("type").set_value("float");
+    }
+}
+
+std::vector<double> read_vectors(const DaeDocument& dae, const Element& source) {
+    const Element accessor = source.child("technique_common").child("accessor");
+    const std::string where = named(source);
+    if (!accessor) throw core::Error("", where + " has no accessor", "technique_common");
+    const std::vector<double> all =
+        numbers_of(dae.target(accessor, "source", {"float_array"}).text().get(), where);
+    const std::size_t count = accessor.attribute("count").as_ullong();
+    const std::size_t stride = accessor.attribute("stride").as_ullong(1);
+    const std::size_t offset = accessor.attribute("offset").as_ullong();
+    // A parameter without a name is passed over.
+    std::vector<std::size_t> places;
+    std::size_t place = 0;
+    for (const Element& parameter : accessor.children("param")) {
+        if (*parameter.attribute("name").value() != '\0') places.push_back(place);
+        ++place;
+    }
+    if (places.size() != 3 || places.back() >= stride)
+        throw Refusal("", where + " has no three parameters with names", "X, Y and Z");
+    const bool fits =
+        stride <= all.size() && offset <= all.size() && count <= (all.size() - offset) / stride + 1;
+    if (!fits || (count > 0 && offset + (count - 1) * stride + places.back() >= all.size()))
+        throw core::Error("", where + ": its accessor reads beyond its numbers", "fewer rows");
+    std::vector<double> vectors;
+    vectors.reserve(3 * count);
+    for (std::size_t row = 0; row < count; ++row)
+        for (const std::size_t column : places)
+            vectors.push_back(all[offset + row * stride + column]);
+    return vectors;
+}
+
+}  // namespace ink::import
