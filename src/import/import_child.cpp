@@ -31,6 +31,7 @@
 #include "import/quake_models.h"
 #include "import/refusal.h"
 #include "import/scene_stream.h"
+#include "import/three_mf.h"
 
 namespace ink::import {
 
@@ -257,6 +258,7 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
     if (auto reply = read_mesh_file(path)) return std::move(*reply);
+    if (lower_case(path.extension().string()) == ".3mf") return read_3mf(path);
     if (!is_dae(path)) refuse_other_format(path);
     return read_with_assimp(path, choice, 0);
 }

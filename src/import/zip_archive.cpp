@@ -62,7 +62,7 @@ std::string ZipArchive::find(std::string name) const {
     return found == names_.end() ? "" : *found;
 }
 
-std::string ZipArchive::read(const std::string& name) const {
+std::string ZipArchive::read(const std::string& name, std::uint64_t most_bytes) const {
     unz_file_info64 about{};
     if (unzLocateFile(zip_.get(), name.c_str(), 1) != UNZ_OK ||
         unzGetCurrentFileInfo64(zip_.get(), &about, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
@@ -79,10 +79,10 @@ std::string ZipArchive::read(const std::string& name) const {
         if (count < 0) complain_of(name, "is damaged");
         if (count == 0) break;
         content.append(chunk, 0, static_cast<std::size_t>(count));
-        if (content.size() > kMostBytes) {
-            throw core::Error(
-                "", "its file " + in_quotes(name) + " is too long unpacked", "up to 1 GiB");
-        }
+        if (content.size() <= most_bytes) continue;
+        throw core::Error("",
+                          "its file " + in_quotes(name) + " is too long unpacked",
+                          std::to_string(most_bytes) + " bytes at most");
     }
     open.zip = nullptr;
     if (unzCloseCurrentFile(zip_.get()) != UNZ_OK || content.size() != about.uncompressed_size)

@@ -19,10 +19,9 @@ class ZipArchive {
     /// The name in it that is `name` but for upper and lower case (ASCII); empty: there is none.
     [[nodiscard]] std::string find(std::string name) const;
     /// All of a file of `names`, checked against its sum. Refuses one that is encrypted, or longer
-    /// than `kMostBytes`, whatever it says of its length.
-    [[nodiscard]] std::string read(const std::string& name) const;
-
-    static constexpr std::uint64_t kMostBytes = 1ULL << 30;
+    /// than `most_bytes`, whatever it says of its length.
+    [[nodiscard]] std::string read(const std::string& name,
+                                   std::uint64_t most_bytes = 1ULL << 30) const;
 
   private:
     struct Close {

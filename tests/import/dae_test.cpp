@@ -2,14 +2,12 @@
 // name.
 
 #include <gmock/gmock.h>
-#include <minizip/zip.h>
-
-#include <glm/geometric.hpp>
-
 #include "import/assimp/dae_file.h"
 #include "scene/animation.h"
 #include "tests/import/dae_files.h"
 #include "tests/import/model_files.h"
+#include "tests/import/solids.h"
+#include "tests/import/zip_files.h"
 
 namespace ink::import {
 namespace {
@@ -17,30 +15,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// What is left of a scene to be compared: its corners' bounds and what it encloses.
-struct Solid {
-    glm::dvec3 low{1e30};
-    glm::dvec3 high{-1e30};
-    double volume = 0;
-};
-
-Solid solid_of(const scene::Scene& scene) {
-    Solid solid;
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        for (const scene::Triangle& triangle : mesh.triangles) {
-            std::array<glm::dvec3, 3> p;
-            for (int c = 0; c < 3; ++c) {
-                p[c] = scene.origin + scene::to_world(instance, mesh.positions[triangle[c]]);
-                solid.low = glm::min(solid.low, p[c]);
-                solid.high = glm::max(solid.high, p[c]);
-            }
-            solid.volume += glm::dot(p[0], glm::cross(p[1], p[2])) / 6;
-        }
-    }
-    return solid;
-}
 
 class Dae : public ModelFiles {
   protected:
@@ -357,19 +331,6 @@ TEST_F(Dae, Utf16IsRead) {
     for (const char c : text)
         wide += {c, '\0'};
     expect_box(wide);
-}
-
-/// A zip file of these files.
-void write_zip(const std::filesystem::path& path,
-               const std::vector<std::pair<std::string, std::string>>& files) {
-    const zipFile zip = zipOpen64(path.c_str(), 0);
-    for (const auto& [name, content] : files) {
-        zipOpenNewFileInZip(
-            zip, name.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, 6);
-        zipWriteInFileInZip(zip, content.data(), static_cast<unsigned>(content.size()));
-        zipCloseFileInZip(zip);
-    }
-    zipClose(zip, nullptr);
 }
 
 TEST_F(Dae, ZippedDocumentsAreReadByTheirManifest) {
