@@ -6,6 +6,7 @@
 #include "scene/animation.h"
 #include "tests/import/dae_files.h"
 #include "tests/import/model_files.h"
+#include "tests/import/read_meshes.h"
 #include "tests/import/solids.h"
 #include "tests/import/zip_files.h"
 
@@ -83,6 +84,31 @@ TEST_F(Dae, FaultyMorphsAreNamed) {
     const std::string count = "count=\"8\" stride=\"3\"";
     poor.replace(poor.rfind(count), count.size(), "count=\"7\" stride=\"3\"");
     expect_fault(poor, "its targets do not have the vertices of its base");
+}
+
+TEST_F(Dae, NormalsOfMorphsAreBlendedOrLeftOut) {
+    const auto with_normals = [](std::string geometry, const std::string& normal, int count) {
+        std::string numbers;
+        for (int i = 0; i < count; ++i)
+            numbers += normal + ' ';
+        const std::string id = geometry.find("\"tv\"") == geometry.npos ? "g" : "t";
+        geometry.insert(geometry.find("<vertices"), dae_source(id + "n", numbers, count));
+        return replaced(geometry,
+                        "</vertices>",
+                        "<input semantic=\"NORMAL\" source=\"#" + id + "n\"/></vertices>");
+    };
+    for (const int count : {8, 9}) {
+        const std::string geometries = with_normals(dae_geometry("g"), "1 0 0", 8) +
+                                       with_normals(dae_geometry("t", kHighBox), "0 0 1", count);
+        const std::string text = morphed("", "0.5");
+        const std::size_t from = text.find("<geometry "), to = text.find("</library_geometries>");
+        const scene::Scene scene =
+            import_scene(write("a.dae", text.substr(0, from) + geometries + text.substr(to)));
+        const std::vector<glm::vec3>& normals = scene.meshes.at(0).normals;
+        EXPECT_EQ(normals.empty(), count != 8);
+        for (const glm::vec3& normal : normals)
+            EXPECT_LT(glm::length(normal - glm::normalize(glm::vec3(1, 0, 1))), 1e-6F);
+    }
 }
 
 /// The controller "sc": all vertices of `source` follow one joint.
@@ -210,6 +236,46 @@ TEST_F(Dae, AccessorsAreHeeded) {
     expect_box(wide);
 }
 
+TEST_F(Dae, AxesHaveTheirPlacesWhateverTheyAreCalled) {
+    const std::string text = dae_document(dae_geometry("g"), dae_node(""));
+    const std::string named =
+        "<param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+        "type=\"float\"/>";
+    const auto with = [&](const std::string& parameters) {
+        return replaced(text, named, parameters);
+    };
+    expect_box(with(""));
+    expect_box(with("<param name=\"A\"/><param name=\"B\"/><param name=\"C\"/>"));
+    expect_fault(with("<param name=\"Z\"/><param name=\"Y\"/><param name=\"X\"/>"),
+                 "<source id=\"gp\"> has other parameters than three (accepted: X, Y and Z)");
+    expect_fault(with("<param name=\"X\"/><param name=\"Y\"/>"), "other parameters than three");
+    expect_fault(with("<param/><param/><param/>"), "other parameters than three");
+}
+
+TEST_F(Dae, NormalsMayComeBeforePositions) {
+    const std::string text = dae_document(dae_geometry("g"), dae_node(""));
+    expect_box(replaced(text,
+                        "<vertices id=\"v\">",
+                        "<vertices id=\"v\"><input semantic=\"NORMAL\" source=\"#gp\"/>"));
+}
+
+TEST_F(Dae, IdsAndUnitsAreThoseOfTheDocument) {
+    expect_fault(dae_document(dae_geometry("g") + dae_geometry("g", kHighBox), dae_node("")),
+                 "names several elements");
+    const std::string high =
+        replaced(dae_geometry("g", kHighBox), "geometry id=\"g\"", "geometry id=\"h\"");
+    const std::string both = dae_node("") + "<node id=\"m\"><instance_geometry url=\"#h\"/></node>";
+    expect(dae_document(dae_geometry("g") + high, both), {0, 0, 0}, {1, 4, 3}, 18);
+    const std::string own = "<asset><unit meter=\"0.01\"/></asset>";
+    expect_fault(dae_document(dae_geometry("g"), dae_node(own)),
+                 "<node id=\"n\"> has a unit or an up_axis of its own");
+    expect_fault(
+        dae_document(dae_geometry("g"),
+                     dae_node(replaced(own, "unit meter=\"0.01\"/", "up_axis>Z_UP</up_axis"))),
+        "of its own");
+    expect_box(dae_document(dae_geometry("g"), dae_node(replaced(own, "0.01", "1"))));
+}
+
 TEST_F(Dae, PrimitivesOfAllKindsAreFaces) {
     const std::string vertex = "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>";
     const auto faces = [&](const std::string& text) {
@@ -235,6 +301,8 @@ TEST_F(Dae, PrimitivesOfAllKindsAreFaces) {
     expect_fault(
         faces("<polygons count=\"1\">" + vertex + "<ph><p>0 1 3 2</p><h>4 5 6</h></ph></polygons>"),
         "<geometry id=\"g\"> has polygons with holes");
+    expect_fault(faces("<triangles count=\"1\">" + vertex + "<p>0 1 -1</p></triangles>"),
+                 "<geometry id=\"g\">, <p>: \"-1\" is no index");
     expect_fault(faces("<triangles count=\"1\">" + vertex + "<p>0 1 9</p></triangles>"),
                  "Invalid data index");
     expect_fault(faces("<triangles count=\"2\">" + vertex + "<p>0 1 3</p></triangles>"),

@@ -11,6 +11,18 @@ namespace ink::import {
 
 using Element = pugi::xml_node;
 
+namespace {
+
+/// The geometry or controller that an element is part of.
+Element thing_of(Element element) {
+    while (element && element.name() != std::string_view("geometry") &&
+           element.name() != std::string_view("controller"))
+        element = element.parent();
+    return element;
+}
+
+}  // namespace
+
 std::string named(const Element& element) {
     std::string text = std::string("<") + element.name();
     for (const char* key : {"id", "sid", "url", "source", "semantic"}) {
@@ -53,10 +65,19 @@ Element DaeDocument::target(const Element& from,
                       named(from) + " is in another file, which is not read",
                       "a document that is whole in one file");
     }
-    for (const std::string_view kind : kinds) {
-        const Element found = find(kind, url.substr(url.empty() ? 0 : 1));
-        if (found) return found;
-    }
+    const std::string_view id = url.substr(url.empty() ? 0 : 1);
+    std::vector<Element> found;
+    const auto [first, last] = by_id_.equal_range(id);
+    for (auto entry = first; entry != last; ++entry)
+        if (std::find(kinds.begin(), kinds.end(), entry->second.name()) != kinds.end())
+            found.push_back(entry->second);
+    if (found.size() == 1) return found.front();
+    // Some writers give the sources of each geometry the same ids.
+    const Element thing = thing_of(from);
+    for (const Element& element : found)
+        if (thing && element != thing && thing_of(element) == thing) return element;
+    if (found.size() > 1)
+        throw core::Error("", named(from) + " names several elements", "ids of their own");
     throw core::Error("",
                       named(from) + " names what the file does not hold",
                       "the id of a <" + std::string(kinds.front()) + '>');
@@ -103,18 +124,15 @@ std::vector<double> read_vectors(const DaeDocument& dae, const Element& source) 
     const std::size_t count = accessor.attribute("count").as_ullong();
     const std::size_t stride = accessor.attribute("stride").as_ullong(1);
     const std::size_t offset = accessor.attribute("offset").as_ullong();
-    // A parameter without a name is passed over.
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> places;  // a parameter without a name is passed over
     std::size_t place = 0;
     for (const Element& parameter : accessor.children("param")) {
         if (*parameter.attribute("name").value() != '\0') places.push_back(place);
         ++place;
     }
-    if (places.size() != 3 || places.back() >= stride)
-        throw Refusal("", where + " has no three parameters with names", "X, Y and Z");
-    const bool fits =
-        stride <= all.size() && offset <= all.size() && count <= (all.size() - offset) / stride + 1;
-    if (!fits || (count > 0 && offset + (count - 1) * stride + places.back() >= all.size()))
+    const std::size_t last = places.empty() ? stride : places.back();
+    if (last >= stride || (count > 0 && (offset > all.size() || count > all.size() ||
+                                         offset + (count - 1) * stride + last >= all.size())))
         throw core::Error("", where + ": its accessor reads beyond its numbers", "fewer rows");
     std::vector<double> vectors;
     vectors.reserve(3 * count);

@@ -115,16 +115,90 @@ void check_transforms(Element root) {
 /// Whether a geometry has faces. A spline has none; other surfaces than meshes are refused.
 bool has_mesh(Element geometry) {
     const std::string where = named(geometry);
-    Element hull = geometry.child("convex_mesh");
-    if (hull.attribute("convex_hull_of"))
+    if (geometry.child("convex_mesh"))
         throw Refusal("", where + " is the hull of another, which is not read", "a <mesh>");
     if (geometry.child("brep"))
         throw Refusal("", where + " is a <brep> (NURBS), which is not read", "a <mesh>");
-    if (hull) hull.set_name("mesh");
     const Element mesh = geometry.child("mesh");
     if (!elements(mesh, "ph").empty())
         throw Refusal("", where + " has polygons with holes, which are not read", "triangles");
     return static_cast<bool>(mesh);
+}
+
+/// Assimp takes each index for a number without a sign.
+void check_indices(const Element& mesh) {
+    for (const char* name : {"p", "vcount"})
+        for (const Element& list : elements(mesh, name)) {
+            const std::string_view text = list.text().get();
+            const std::size_t odd = text.find_first_not_of("0123456789 \t\r\n+");
+            if (odd == text.npos) continue;
+            throw core::Error("",
+                              named(mesh.parent()) + ", <" + name + ">: " +
+                                  in_quotes(words_of(text.substr(odd)).front()) + " is no index",
+                              "whole numbers of 0 or more");
+        }
+}
+
+/// Assimp knows the parts of a vector by the names X, Y and Z alone; else all are the first.
+void name_axes(const DaeDocument& dae, const Element& input) {
+    const Element source = dae.target(input, "source", {"source"});
+    Element accessor = source.child("technique_common").child("accessor");
+    constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
+    std::vector<Element> names;
+    for (const Element& parameter : accessor.children("param"))
+        if (*parameter.attribute("name").value() != '\0') names.push_back(parameter);
+    if (!accessor.child("param") && accessor.attribute("stride").as_uint() == 3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            names.push_back(accessor.append_child("param"));
+            names.back().append_attribute("name");
+        }
+    std::size_t other_places = names.size() == 3 ? 0 : 1;
+    for (std::size_t n = 0; n < names.size(); ++n)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (n != k && std::string_view(names[n].attribute("name").value()) == kAxes[k])
+                ++other_places;
+    if (other_places > 0)
+        throw Refusal("", named(source) + " has other parameters than three", "X, Y and Z");
+    for (std::size_t k = 0; k < 3; ++k)
+        names[k].attribute("name").set_value(kAxes[k]);
+}
+
+/// Says what meshes are in the words that Assimp knows.
+void mend_meshes(const DaeDocument& dae) {
+    for (Element hull : elements(dae.root(), "convex_mesh"))
+        if (!hull.attribute("convex_hull_of")) hull.set_name("mesh");
+    for (Element vertices : elements(dae.root(), "vertices"))
+        for (Element input : vertices.children("input"))  // normals before positions: too much
+            if (std::string_view(input.attribute("semantic").value()) == "POSITION") {
+                vertices.prepend_move(input);
+                break;
+            }
+    for (const Element& mesh : elements(dae.root(), "mesh")) {
+        check_indices(mesh);
+        for (const Element& input : elements(mesh, "input")) {
+            const std::string_view semantic = input.attribute("semantic").value();
+            if (semantic == "POSITION" || semantic == "NORMAL") name_axes(dae, input);
+        }
+    }
+}
+
+/// Units and axes are those of the whole document.
+void check_assets(const Element& root) {
+    const Element whole = root.child("asset");
+    for (const Element& asset : elements(root, "asset")) {
+        const bool has_unit =
+            asset.child("unit") && asset.child("unit").attribute("meter").as_double(1) !=
+                                       whole.child("unit").attribute("meter").as_double(1);
+        const std::string_view up = asset.child("up_axis").text().as_string("Y_UP");
+        const bool has_axis =
+            asset.child("up_axis") && up != whole.child("up_axis").text().as_string("Y_UP");
+        if (has_unit || has_axis) {
+            throw Refusal(
+                "",
+                named(asset.parent()) + " has a unit or an up_axis of its own, which is not read",
+                "one for the document");
+        }
+    }
 }
 
 /// Assimp takes a fan for one polygon.
@@ -202,7 +276,9 @@ DaeFile read_dae_text(std::string_view text) {
     file.cameras = dae_cameras(root);
     file.has_motion = take_out_motion(root);
     take_out_hidden(root, file.notes);
+    check_assets(root);
     DaeDocument dae(root);
+    mend_meshes(dae);
     bake_morphs(dae);
     check_transforms(root);
     make_triangles_of_fans(root);
