@@ -215,6 +215,8 @@ TEST_F(Dae, NodesOfALibraryStandWhereTheyAreUsed) {
     expect(used("#l"), {0, 0, 0}, {1, 2, 16}, 24);
     expect_fault(used("other.dae#l"), "<instance_node url=\"other.dae#l\"> is in another file");
     expect_fault(used("#none"), "names what the file does not hold (accepted: the id of a <node>)");
+    expect_fault(replaced(used("#l"), "id=\"l\">", "id=\"l\"><instance_node url=\"#l\"/>"),
+                 "<instance_node url=\"#l\"> places itself");
     std::string far = used("#l");
     far.replace(far.find("url=\"#g\""), 8, "url=\"http://a.b/c#g\"");
     expect_fault(far, "is in another file");

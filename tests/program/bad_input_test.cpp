@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/import/dae_files.h"
 #include "tests/import/files_3ds.h"
 #include "tests/models/fetched_model.h"
 #include "tests/program/run_program.h"
@@ -271,6 +272,22 @@ TEST(BadScore, Options) {
         expect("--band", value);
     for (const char* value : {"0", "-1", "256", "x"})
         expect("--ignore", value);
+}
+
+TEST(BadInput, MotionThatIsNotReadIsRefusedWithAWayToIt) {
+    const Desk desk;
+    desk.write("walker.dae",
+               import::dae_document(
+                   import::dae_geometry("g"),
+                   import::dae_node("<translate sid=\"t\">1 0 0</translate>"),
+                   "<library_animations><animation><sampler id=\"k\"/><channel source=\"#k\" "
+                   "target=\"n/t.X\"/></animation></library_animations>"));
+    for (const char* line : {"timedemo walker.dae",
+                             "export walker.dae -o out --time 1",
+                             "export walker.dae -o out --frame 1",
+                             "draw walker.dae -o a.png --animation walk"})
+        EXPECT_THAT(refusal(desk, line), testing::ContainsRegex("walker.*at rest alone.*glTF"))
+            << line;
 }
 
 TEST(BadName, TooLongForAFile) {

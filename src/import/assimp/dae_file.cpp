@@ -234,6 +234,26 @@ void name_bind_shapes(Element root) {
             skin.prepend_child("bind_shape_matrix").text().set("1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
 }
 
+/// Assimp ends in a crash where nodes place themselves.
+void check_placed_nodes(const DaeDocument& dae) {
+    constexpr std::size_t kMostPlaces = 1'000'000;
+    const std::size_t deepest = elements(dae.root(), "instance_node").size();
+    std::vector<std::pair<Element, std::size_t>> open{{dae.root(), 0}};
+    std::size_t places = 0;
+    while (!open.empty()) {
+        const auto [top, depth] = open.back();
+        open.pop_back();
+        for (const Element& use : elements(top, "instance_node")) {
+            if (depth == deepest || ++places > kMostPlaces) {
+                throw core::Error("",
+                                  named(use) + " places itself, or too much",
+                                  std::to_string(kMostPlaces) + " places at most");
+            }
+            open.emplace_back(dae.target(use, "url", {"node"}), depth + 1);
+        }
+    }
+}
+
 /// What nodes use is there, and has faces.
 void check_uses(const DaeDocument& dae, std::vector<std::string>& notes) {
     std::size_t splines = 0;
@@ -250,10 +270,11 @@ void check_uses(const DaeDocument& dae, std::vector<std::string>& notes) {
     for (const Element& skin : elements(dae.root(), "skin"))
         if (!has_mesh(dae.target(skin, "source", {"geometry"})))
             throw core::Error("", named(skin) + " covers no mesh", "the id of a <geometry>");
-    for (const Element& use : elements(dae.root(), "instance_node"))
-        (void)dae.target(use, "url", {"node"});
+    check_placed_nodes(dae);
     for (const Element& use : elements(dae.root(), "instance_controller"))
         (void)dae.target(use, "url", {"controller"});
+    if (dae.root().child("scene").child("instance_kinematics_scene"))
+        notes.push_back("kinematics, as nodes stand where they are: left out");
     if (splines > 0) notes.push_back(counted(splines, "spline") + ": left out");
     if (!with_lines.empty())
         notes.push_back("lines of " + counted(with_lines.size(), "mesh") + ": left out");
