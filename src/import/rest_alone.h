@@ -11,7 +11,7 @@
 namespace ink::import {
 
 /// How to get the motion of a file that stands at rest.
-inline constexpr const char* kMotionByGltf = "glTF, to which Blender converts it";
+inline constexpr const char* kMotionByGltf = "glTF, to which Blender 4 converts it";
 
 /// Notes that a file with motion stands at rest. Throws Refusal if one of its animations was asked
 /// for.

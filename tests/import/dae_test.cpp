@@ -77,6 +77,8 @@ TEST_F(Dae, AMorphBesideAPlainMeshLeavesThatAlone) {
 }
 
 TEST_F(Dae, FaultyMorphsAreNamed) {
+    const std::string unused = "<instance_geometry url=\"#g\"/>";
+    expect_box(replaced(morphed("", "0.5", "none"), "<instance_controller url=\"#mc\"/>", unused));
     expect_fault(morphed(" method=\"CUBIC\"", "0.5"), "method \"CUBIC\" (accepted: NORMALIZED");
     expect_fault(morphed("", "0.5 1"), "has 1 targets and 2 weights");
     expect_fault(morphed("", "0.5", "none"), "no geometry has the id \"none\"");

@@ -290,9 +290,11 @@ TEST_F(ThreeMf, DamagedPackagesAreNamed) {
 TEST_F(ThreeMf, ABombEndsWithinTheLimits) {
     const auto path = write_3mf(model(kBox, kItem) + std::string(100U << 20U, ' '));
     ASSERT_LT(std::filesystem::file_size(path), 1U << 20U);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which set no limit
     ImportLimits limits;
     limits.memory_bytes = 128U << 20U;
     EXPECT_THAT(complaint(path, limits), HasSubstr("more memory than 128 MiB"));
+#endif
     try {
         (void)ZipArchive(path).read("3D/3dmodel.model", 10U << 20U);
         ADD_FAILURE() << "it was unpacked";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -154,10 +155,15 @@ std::string bake(DaeDocument& dae, const Element& morph) {
 }  // namespace
 
 void bake_morphs(DaeDocument& dae) {
+    std::set<std::string> used;
+    for (const Element& use : elements(dae.root(), "instance_controller"))
+        used.insert(use.attribute("url").value());
+    for (const Element& skin : elements(dae.root(), "skin"))
+        used.insert(skin.attribute("source").value());
     std::map<std::string, std::string> baked;  // by the controller's reference
     for (const Element& morph : elements(dae.root(), "morph")) {
-        const std::string controller = morph.parent().attribute("id").value();
-        baked['#' + controller] = '#' + bake(dae, morph);
+        const std::string controller = '#' + std::string(morph.parent().attribute("id").value());
+        if (used.contains(controller)) baked[controller] = '#' + bake(dae, morph);
     }
     for (Element use : elements(dae.root(), "instance_controller")) {
         const auto found = baked.find(use.attribute("url").value());
