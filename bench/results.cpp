@@ -43,13 +43,22 @@ std::string work_of(const std::string& name) {
     return name.substr(0, found) + (end == std::string::npos ? "" : name.substr(end));
 }
 
+/// Seconds of an iteration: processor time where one thread works, time on the wall of several.
+double seconds_of(const Run& run) {
+    const std::string name = run.run_name.str();
+    const std::size_t at = name.find("/threads:");
+    const bool is_one = at == std::string::npos || name.substr(at).starts_with("/threads:1");
+    return (is_one ? run.cpu_accumulated_time : run.real_accumulated_time) /
+           static_cast<double>(run.iterations);
+}
+
 /// The repetition that took least, as an aggregate.
 Run least_of(const std::vector<Run>& runs) {
     Run least;
     bool is_first = true;
     for (const Run& run : runs) {
         if (!is_repetition(run)) continue;
-        if (is_first || run.GetAdjustedRealTime() < least.GetAdjustedRealTime()) least = run;
+        if (is_first || seconds_of(run) < seconds_of(least)) least = run;
         is_first = false;
     }
     least.run_type = Run::RT_Aggregate;
@@ -79,7 +88,7 @@ void Results::add(const std::vector<Run>& runs) {
         if (!is_repetition(run)) continue;
         if (row.times_s.empty()) row.hash = run.report_label;
         row.is_stable = row.is_stable && row.hash == run.report_label;
-        row.times_s.push_back(run.real_accumulated_time / static_cast<double>(run.iterations));
+        row.times_s.push_back(seconds_of(run));
     }
 }
 
@@ -153,10 +162,7 @@ void JsonReporter::Finalize() {
         if (std::any_of(runs.begin(), runs.end(), is_repetition)) runs.push_back(least_of(runs));
         for (Run& run : runs) {
             const bool is_in_m = run.aggregate_name == "min" || run.aggregate_name == "median";
-            if (is_in_m && yardstick_s > 0) {
-                run.counters["M"] =
-                    run.real_accumulated_time / static_cast<double>(run.iterations) / yardstick_s;
-            }
+            if (is_in_m && yardstick_s > 0) run.counters["M"] = seconds_of(run) / yardstick_s;
         }
         all.insert(all.end(), runs.begin(), runs.end());
     }

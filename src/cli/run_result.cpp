@@ -12,6 +12,7 @@
 #include "core/interrupt.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
+#include "harness/timing.h"
 #include "linear_code/linear_bound_study.h"
 #include "report/run_page.h"
 #include "report/text/verdict.h"
@@ -106,9 +107,19 @@ void print_comparison(const experiment::RunTables& tables, const experiment::Run
     fmt::print("{}\n", report::verdict_table(tables.rows, verdict_options(record)));
 }
 
+/// How many times of the comparison and of all studies are uncertain; "" if none are.
+std::string busy_text(const experiment::RunTables& tables) {
+    std::vector<harness::Row> rows = tables.rows;
+    for (const studies::AxisRow& of : tables.on_axes)
+        rows.push_back(of.row);
+    return harness::uncertain_times(rows);
+}
+
 void print_warnings(const experiment::RunRecord& record,
                     const UnscoredCells& unscored,
+                    const std::string& busy,
                     const fs::path& folder) {
+    if (!busy.empty()) fmt::print(stderr, "inkbench: {}\n", busy);
     for (const experiment::ModelFacts& model : record.models)
         print_not_heeded(model.scene, model.notes);
     fmt::print(stderr, "{}", summary::unscored_text(unscored));
@@ -146,6 +157,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     const UnscoredCells unscored = summary::unscored_cells(run.tables.rows);
     const bool is_without_score =
         run.record.missing_blocks.empty() && summary::is_all_unscored(run.tables.rows);
+    const std::string busy = busy_text(run.tables);
     experiment::keep_one_place(run.tables);
     write_verdict_of(run);
     if (is_json) {
@@ -159,7 +171,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
         fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
     }
     std::fflush(stdout);
-    print_warnings(run.record, unscored, folder);
+    print_warnings(run.record, unscored, busy, folder);
     if (is_without_score) fmt::print(stderr, "inkbench: not one cell has a score\n");
     if (outcome.is_interrupted) throw CLI::RuntimeError(core::kInterrupted);
     if (is_without_score || !run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +16,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/scratch_folder.h"
+#include "core/work_clock.h"
 #include "entrants/image_folder.h"
 #include "entrants/view_files.h"
 #include "harness/row.h"
@@ -27,7 +27,6 @@ namespace ink::entrants {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 constexpr double kCrease_rad = 40 * std::numbers::pi / 180;
 constexpr int kThreads = 64;  ///< a program may keep so many busy for its whole time
@@ -113,19 +112,20 @@ class ProgramRunner {
         std::error_code ignored;
         fs::remove(image, ignored);
 
-        const auto start = Clock::now();
-        const import::ChildOutcome outcome =
-            import::run_child(program_,
-                              {asked.string(), image.string()},
-                              {.wall_s = limits_.wall_s,
-                               .memory_bytes = limits_.memory_bytes,
-                               .counts_reserved = false,  // a browser reserves a terabyte
-                               .output_bytes = kOutputBytes,
-                               .file_bytes = kFileBytes,
-                               .keeps_errors = true,
-                               .threads = kThreads,
-                               .leads_group = true});
-        const std::chrono::nanoseconds took = Clock::now() - start;
+        import::ChildOutcome outcome;
+        core::Spent process = core::spent_on([&] {
+            outcome = import::run_child(program_,
+                                        {asked.string(), image.string()},
+                                        {.wall_s = limits_.wall_s,
+                                         .memory_bytes = limits_.memory_bytes,
+                                         .counts_reserved = false,  // a browser reserves a terabyte
+                                         .output_bytes = kOutputBytes,
+                                         .file_bytes = kFileBytes,
+                                         .keeps_errors = true,
+                                         .threads = kThreads,
+                                         .leads_group = true});
+        });
+        process.cpu_ns = outcome.cpu_ns;
         const std::string failure = failure_of(outcome, limits_);
         if (!failure.empty()) throw core::Error(program_.string(), failure);
         if (!fs::exists(image))
@@ -134,7 +134,8 @@ class ProgramRunner {
         harness::OutsideImage drawn{image_of(image, view)};
         constexpr double kNsPerMs = 1e6;
         const auto ms = reported_ms(text_of(outcome));
-        drawn.draw_ns = ms ? std::llround(*ms * kNsPerMs) : took.count();
+        if (ms) drawn.draw_ns = std::llround(*ms * kNsPerMs);
+        drawn.process = process;
         return drawn;
     }
 

@@ -33,10 +33,10 @@ struct EntrantLimits {
 /// Images of a folder are `path/<scene>/<view>.png`, of any depth, dark lines on light or light on
 /// dark (harness/outline_image.h); `path/times.csv` (scene, view, draw_ms) says how long they took.
 /// A program is called as `path view.json out.png` once a view (view_json()); its time is what it
-/// prints as "draw_ms NUMBER", else that of the whole call. A missing image, one of another size,
-/// and a program that fails, hangs or writes nothing is an error of that view alone. Parameters are
-/// `threshold` (128), and for the record `entrant` (the path) and `content` (a hash of the images
-/// or the program).
+/// prints as "draw_ms NUMBER", else the processor time of the whole call, its children's too. A
+/// missing image, one of another size, and a program that fails, hangs or writes nothing is an
+/// error of that view alone. Parameters are `threshold` (128), and for the record `entrant` (the
+/// path) and `content` (a hash of the images or the program).
 [[nodiscard]] method::MethodConfig entrant_config(const Entrant& entrant,
                                                   const EntrantLimits& limits = {});
 

@@ -99,7 +99,7 @@ struct Experiment {
     bool study_skips = false;    ///< compare: skip_axes.h too
     BoundRequest bound;
     HardestRequest hardest;
-    int repetitions = 15;        ///< timed drawings, at most
+    int repetitions = 60;        ///< timed drawings, at most
     double budget_ms = 60;       ///< of drawing, after which repetitions end
     bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
     bool crosscheck = true;      ///< hold truths against the cross-check

@@ -16,9 +16,6 @@ namespace {
 constexpr std::size_t kTrianglesKept = 6'000'000;
 constexpr std::size_t kLeastKept = 48;
 
-/// Medians of draw times are wanted to this share of themselves: what two runs differ by anyway.
-constexpr double kPrecision = 0.02;
-
 }  // namespace
 
 ViewBench::ViewBench(const Experiment& experiment,
@@ -74,7 +71,6 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     options.measure.max_repetitions = repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, repetitions);
     options.measure.budget_s = experiment_.budget_ms * 1e-3;
-    options.measure.precision = kPrecision;
     options.measure.skips = skips_;
     if (experiment_.coverage) options.line_width_px = experiment_.line_width_px;
     return options;

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "harness/timing.h"
 #include "harness/view_lists.h"
 
 namespace ink::harness {
@@ -17,13 +15,6 @@ std::int64_t stage_ns(const scene::PreparedScene& scene, Work work) {
     const std::int64_t saved_before_ns = scene.saved_ns();
     const std::int64_t ns = time_ns(work);
     return ns + scene.saved_ns() - saved_before_ns;
-}
-
-/// Nearest rank, so that a quantile is always a time that was measured.
-std::int64_t quantile(const std::vector<std::int64_t>& sorted, double q) {
-    const auto rank =
-        static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)));
-    return sorted[rank];
 }
 
 }  // namespace
@@ -101,16 +92,6 @@ void fill_score_2px(const score::Score& s, Row& row) {
     row.truth_px = s.n_truth;
 }
 
-void fill_times(std::vector<std::int64_t> draw_ns, Row& row) {
-    row.draw_n = static_cast<int>(draw_ns.size());
-    if (draw_ns.empty()) return;
-    std::sort(draw_ns.begin(), draw_ns.end());
-    row.draw_ns = quantile(draw_ns, 0.5);
-    row.draw_ns_q25 = quantile(draw_ns, 0.25);
-    row.draw_ns_q75 = quantile(draw_ns, 0.75);
-    row.draw_ns_min = draw_ns.front();
-}
-
 void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row) {
     row.skips_off = forbidden_skips(allowed);
     if (times.failure.empty()) row.skips = times.skips;
@@ -151,7 +132,7 @@ Row PreparedMethod::row() const {
         return row;
     }
     if (config_.is_outside) {
-        row.clock = "own";
+        row.clock = kOwnClock;
         return row;
     }
     row.prepare_ns = prepare_ns_;

@@ -13,6 +13,7 @@
 #include "edge/edge_image.h"
 #include "harness/row.h"
 #include "harness/skip_switches.h"
+#include "harness/timing.h"
 #include "harness/tracing.h"
 #include "method/method_config.h"
 #include "score/attribution.h"
@@ -23,21 +24,15 @@ namespace ink::harness {
 
 /// How often and with what a method is timed.
 struct MeasureOptions {
-    int threads = 1;  ///< of the method
-    int min_repetitions = 3;
-    int max_repetitions = 15;
+    int threads = 1;          ///< of the method
+    int min_repetitions = 9;  ///< whatever they take
+    int max_repetitions = 60;
     double budget_s = 0.02;  ///< a method on a view stops repeating after this much drawing
-    /// It stops before, after its least repetitions, when its median is known to this share of
-    /// itself (is_median_known); 0: never.
-    double precision = 0;
+    /// It stops before, after its least repetitions, when its median lies by no more than this
+    /// share above its least time; 0: never.
+    double precision = 0.05;
     raster::SkipSet skips = skips_of_repeated_drawings();
-};
-
-/// Times of one method on one view, as they were taken.
-struct DrawTimes {
-    std::vector<std::int64_t> draw_ns;
-    std::string failure;            ///< why there are none, or ""
-    raster::SkipCounts skips = {};  ///< of the last timed drawing; of frames, of the first round
+    const core::WorkClock* clock = &core::machine_clock();
 };
 
 /// The tolerances at which every cell is scored, for the tolerance sweep: how near the lines lie.
@@ -70,9 +65,6 @@ void fill_scores(const Scored& scored, Row& row);
 
 /// Writes only those of a score at 2 px.
 void fill_score_2px(const score::Score& at_2px, Row& row);
-
-/// Writes median, quartiles, minimum and number of `draw_ns` into `row`; none leaves it empty.
-void fill_times(std::vector<std::int64_t> draw_ns, Row& row);
 
 /// Writes into `row` what a method that did not fail left undone, and what it was not allowed to.
 void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row);
@@ -131,7 +123,7 @@ struct Shot {
 
 /// Draws a shot turn by turn (A B C, B C A, ...), so that a machine that slows down slows all
 /// alike, and none always follows the same one; the first round warms up, gives the images and is
-/// not counted.
+/// not counted. Between the turns a fixed piece of work is timed (Yardstick).
 ///
 /// `images[i]` and the result's [i] are of turn i. A method that throws, or whose images
 /// differ between rounds, gets a failure and is left out of later rounds; the others go on. A

@@ -1,21 +1,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "harness/cell.h"
-#include "harness/median_interval.h"
 #include "harness/outside_method.h"
 #include "harness/timing.h"
+#include "harness/yardstick.h"
 
 namespace ink::harness {
 namespace {
 
+/// After so many turns of a round the yardstick is timed again: often enough to meet what the
+/// drawings meet, at a tenth of their time at most.
+constexpr std::size_t kTurnsPerYardstick = 3;
+
 /// A turn of one round.
 struct Drawing {
-    std::vector<std::int64_t> draw_ns;  ///< of the frames that count
-    raster::SkipCounts skips = {};      ///< summed over them
+    std::vector<core::Spent> draws;  ///< of the frames that count
+    raster::SkipCounts skips = {};   ///< summed over them
 };
 
 void add(const raster::SkipCounts& counts, raster::SkipCounts& sums) {
@@ -37,7 +42,6 @@ class Round {
           options_(options),
           images_(images),
           times_(turns.size()),
-          spent_s_(turns.size(), 0),
           is_done_(turns.size(), false),
           frame_image_(shot.view.width_px, shot.view.height_px),
           again_(shot.view.width_px, shot.view.height_px * frame_count()) {
@@ -56,7 +60,7 @@ class Round {
                 continue;
             }
             (void)draw(i, images_[i]);
-            if (!is_done_[i] && outside->draw_ns()) times_[i].draw_ns = {*outside->draw_ns()};
+            if (!is_done_[i]) times_[i] = outside->times();
             is_done_[i] = true;
         }
     }
@@ -70,31 +74,52 @@ class Round {
         for (int round = 1; round <= options_.max_repetitions && !is_done(); ++round) {
             for (std::size_t turn = 0; turn < turns_.size(); ++turn) {
                 const std::size_t i = (static_cast<std::size_t>(round) + turn) % turns_.size();
-                if (!is_done_[i]) repeat(i, round);
+                if (turn % kTurnsPerYardstick == 0) time_yardstick();
+                if (!is_done_[i]) repeat(i);
             }
         }
     }
 
-    [[nodiscard]] std::vector<DrawTimes> take_times() { return std::move(times_); }
+    [[nodiscard]] std::vector<DrawTimes> take_times() {
+        for (DrawTimes& times : times_)
+            if (!yardstick_ns_.empty()) times.yardstick_ns = lower_quartile(yardstick_ns_);
+        return std::move(times_);
+    }
 
   private:
     [[nodiscard]] int frame_count() const {
         return std::max(1, static_cast<int>(shot_.poses.size()));
     }
 
-    void repeat(std::size_t i, int round) {
+    void time_yardstick() {
+        const core::Spent spent = spent_on([&] { yardstick_.work(); });
+        yardstick_ns_.push_back(options_.threads == 1 ? spent.cpu_ns : spent.wall_ns);
+    }
+
+    template <class Work>
+    core::Spent spent_on(Work work) const {
+        return core::spent_on(work, worker_of(options_.threads), *options_.clock);
+    }
+
+    void repeat(std::size_t i) {
         const Drawing drawing = draw(i, again_);
         if (is_done_[i]) return;
         if (!(again_ == images_[i])) return fail(i, "failed: two drawings of one view differ");
         DrawTimes& times = times_[i];
         if (shot_.poses.empty()) times.skips = drawing.skips;
-        for (const std::int64_t ns : drawing.draw_ns) {
-            times.draw_ns.push_back(ns);
-            spent_s_[i] += static_cast<double>(ns) * 1e-9;
-        }
-        is_done_[i] =
-            round >= options_.min_repetitions &&
-            (spent_s_[i] > options_.budget_s || is_median_known(times.draw_ns, options_.precision));
+        times.clock = clock_of(options_.threads);
+        times.has_alike = shot_.poses.empty();
+        for (const core::Spent& draw : drawing.draws)
+            times.draws.push_back(draw);
+        is_done_[i] = is_enough(times);
+    }
+
+    [[nodiscard]] bool is_enough(const DrawTimes& times) const {
+        const std::vector<std::int64_t> draws_ns = times.draws_ns();
+        if (draws_ns.size() < static_cast<std::size_t>(options_.min_repetitions)) return false;
+        const auto sum_ns = std::accumulate(draws_ns.begin(), draws_ns.end(), std::int64_t{0});
+        return 1e-9 * static_cast<double>(sum_ns) > options_.budget_s ||
+               (options_.precision > 0 && lower_spread(draws_ns) <= options_.precision);
     }
 
     /// A turn; one that throws is the method's last.
@@ -119,14 +144,14 @@ class Round {
                     shot_.poses[static_cast<std::size_t>(frame)];
                 method.pose(*posed_);
             }
-            const std::int64_t ns = time_ns([&] {
+            const core::Spent spent = spent_on([&] {
                 method.draw({shot_.view, options_.threads, turn.skips}, image);
             });
             check_size(image);
             if (!is_still)
                 std::copy_n(image.data(), image.size(), out.row(frame * shot_.view.height_px));
             if (frame == 0 && !is_still) continue;
-            drawing.draw_ns.push_back(ns);
+            drawing.draws.push_back(spent);
             add(method.skip_counts(), drawing.skips);
         }
         return drawing;
@@ -141,7 +166,8 @@ class Round {
     }
 
     void fail(std::size_t i, const std::string& failure) {
-        times_[i] = {{}, failure, {}};
+        times_[i] = {};
+        times_[i].failure = failure;
         is_done_[i] = true;
     }
 
@@ -150,7 +176,8 @@ class Round {
     const MeasureOptions& options_;
     std::vector<edge::EdgeImage>& images_;
     std::vector<DrawTimes> times_;
-    std::vector<double> spent_s_;
+    Yardstick yardstick_;
+    std::vector<std::int64_t> yardstick_ns_;
     std::vector<bool> is_done_;
     std::optional<scene::Scene> posed_;
     edge::EdgeImage frame_image_;

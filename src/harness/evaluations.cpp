@@ -82,7 +82,7 @@ std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
         if (method.failure().empty()) evaluations[i].code = method.method().code();
         if (!times[i].failure.empty()) evaluations[i].row.status = times[i].failure;
         fill_skips(times[i], turns[i].skips, evaluations[i].row);
-        fill_times(std::move(times[i].draw_ns), evaluations[i].row);
+        fill_times(times[i], evaluations[i].row);
     }
     return evaluations;
 }

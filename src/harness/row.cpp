@@ -59,12 +59,16 @@ void clear_times(Row& row) {
     for (auto* time : {&row.prepare_ns,
                        &row.pose_ns,
                        &row.draw_ns,
-                       &row.draw_ns_q25,
+                       &row.draw_ns_median,
                        &row.draw_ns_q75,
-                       &row.draw_ns_min}) {
+                       &row.draw_ns_min,
+                       &row.draw_wall_ns,
+                       &row.draw_cpu_ns,
+                       &row.yardstick_ns}) {
         time->reset();
     }
     row.draw_n = 0;
+    row.time_doubt.clear();
 }
 
 bool is_baseline(std::string_view method) {

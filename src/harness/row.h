@@ -81,13 +81,16 @@ struct Row {
     std::optional<score::CurveCount> random_baseline = {};
     std::optional<std::int64_t> prepare_ns;
     std::optional<std::int64_t> pose_ns;
-    std::optional<std::int64_t> draw_ns;      ///< median over repetitions
-    std::optional<std::int64_t> draw_ns_q25;  ///< lower quartile
+    std::optional<std::int64_t> draw_ns;  ///< lower quartile over repetitions: the one that ranks
+    std::optional<std::int64_t> draw_ns_median;
     std::optional<std::int64_t> draw_ns_q75;  ///< upper quartile
     std::optional<std::int64_t> draw_ns_min;
-    int draw_n = 0;  ///< repetitions
-    /// Whose clock the times are by: inkbench, or own for a method from outside.
-    std::string clock = "inkbench";
+    int draw_n = 0;                            ///< repetitions
+    std::optional<std::int64_t> draw_wall_ns;  ///< lower quartiles: on the wall,
+    std::optional<std::int64_t> draw_cpu_ns;   ///< and of the processor
+    std::optional<std::int64_t> yardstick_ns;  ///< of the fixed work beside it (yardstick.h)
+    std::string time_doubt;  ///< why the times are uncertain: waited, spread; "" if they are not
+    std::string clock;       ///< that the times are by (timing.h); "" where nothing was timed
     std::optional<int> bytes_per_px;
     std::optional<CostFacts> cost = {};  ///< what its time is predicted from
     /// What the last timed drawing left undone; nothing for baselines and cells that failed.
@@ -114,6 +117,8 @@ struct Row {
     std::shared_ptr<const core::Provenance> provenance = {};
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
+    /// Whether it is from outside: its times are no drawing's here.
+    [[nodiscard]] bool has_own_clock() const { return clock == "own" || clock == "children"; }
     /// Whether rounding of coordinates moves something in the view so far that it can be seen.
     [[nodiscard]] bool shows_rounding() const { return rounding_px > scene::kUnseen_px; }
     /// Whether its counts at 2 px say something: it came out, and was scored.

@@ -56,6 +56,10 @@ class FileDescriptor {
     int fd_;
 };
 
+std::int64_t ns_of(const timeval& time) {
+    return std::int64_t{time.tv_sec} * 1'000'000'000 + std::int64_t{time.tv_usec} * 1'000;
+}
+
 /// A running child, killed and reaped when it goes out of scope.
 class Child {
   public:
@@ -73,15 +77,20 @@ class Child {
     /// The wait status if it has ended; never blocks.
     std::optional<int> ended() {
         int status = 0;
+        rusage used{};
         pid_t got = -1;
         do {
-            got = waitpid(pid_, &status, WNOHANG);
+            got = wait4(pid_, &status, WNOHANG, &used);
         } while (got < 0 && errno == EINTR);
         if (got == 0) return std::nullopt;
         pid_ = -1;
+        cpu_ns_ = ns_of(used.ru_utime) + ns_of(used.ru_stime);
         // Whoever ignores SIGCHLD loses the status; then the output alone has to convince.
         return got < 0 ? 0 : status;
     }
+
+    /// Processor time of what has ended.
+    [[nodiscard]] std::int64_t cpu_ns() const { return cpu_ns_; }
 
     void kill_and_reap() {
         if (pid_ < 0) return;
@@ -95,6 +104,7 @@ class Child {
   private:
     pid_t pid_;
     pid_t group_;  ///< 0: it leads none
+    std::int64_t cpu_ns_ = 0;
     core::CutOffGuard ends_with_us_;
 };
 
@@ -222,6 +232,7 @@ ChildOutcome run_child(const std::filesystem::path& program,
     outcome.end = drain(from_child.number(), deadline, limits.output_bytes, outcome.output);
     if (outcome.end != ChildEnd::exited) return outcome;
     const auto status = await_end(child, deadline);
+    outcome.cpu_ns = child.cpu_ns();
     if (!status) {
         outcome.end = ChildEnd::timed_out;
     } else if (WIFSIGNALED(*status)) {

@@ -34,6 +34,9 @@ struct ChildOutcome {
     ChildEnd end = ChildEnd::not_started;
     int code = 0;
     std::vector<std::byte> output;
+    /// Of its threads and of the processes that it has started and waited for; 0 if it was killed
+    /// here.
+    std::int64_t cpu_ns = 0;
 };
 
 /// Runs `program arguments...` to its end and returns what it wrote to its standard output.

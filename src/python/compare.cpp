@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/work_clock.h"
 #include "entrants/entrant.h"
 #include "experiment/experiment_plan.h"
 #include "harness/cell.h"
 #include "harness/tables/csv_table.h"
 #include "harness/tables/row_table.h"
-#include "harness/timing.h"
 #include "methods/method_configs.h"
 #include "python/arrays.h"
 #include "python/buffers.h"
@@ -38,8 +38,9 @@ harness::OutsideImage call(const Function& function,
     const py::gil_scoped_acquire python_runs;
     const py::object seen = py::cast(BufferArrays(std::move(buffers), view_json));
     py::object drawn;
-    const std::int64_t ns = harness::time_ns([&] { drawn = (*function)(seen); });
-    harness::OutsideImage image{image_of(drawn, name), ns};
+    // On the wall: it may work on threads of its own, or on another device.
+    const core::Spent spent = core::spent_on([&] { drawn = (*function)(seen); });
+    harness::OutsideImage image{image_of(drawn, name), spent.wall_ns};
     if (image.image.width_px() != view.width_px || image.image.height_px() != view.height_px) {
         throw core::Error(
             name,

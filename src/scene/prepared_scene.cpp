@@ -68,12 +68,7 @@ std::shared_ptr<const Surface> PreparedScene::surface(NormalSource source,
 std::shared_ptr<const void> PreparedScene::find(const std::string& name) const {
     Results& results = *results_;
     std::unique_lock lock(results.mutex);
-    if (results.being_made.count(name) != 0) {
-        const auto start = std::chrono::steady_clock::now();
-        results.is_made.wait(lock, [&] { return results.being_made.count(name) == 0; });
-        const std::chrono::nanoseconds waited = std::chrono::steady_clock::now() - start;
-        saved_ns_ -= waited.count();
-    }
+    results.is_made.wait(lock, [&] { return results.being_made.count(name) == 0; });
     const auto found = results.kept.find(name);
     if (found == results.kept.end()) {
         results.being_made.insert(name);

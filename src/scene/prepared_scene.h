@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/work_clock.h"
 #include "scene/scene.h"
 
 namespace ink::scene {
@@ -54,19 +54,20 @@ class PreparedScene {
         using Result = std::decay_t<decltype(make())>;
         if (const auto known = find(name)) return std::static_pointer_cast<const Result>(known);
         const Making making(*this, name);
-        const auto start = std::chrono::steady_clock::now();
         const std::int64_t saved_before_ns = saved_ns_;
-        auto made = std::make_shared<const Result>(make());
-        const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - start;
+        std::shared_ptr<const Result> made;
+        const core::Spent spent =
+            core::spent_on([&] { made = std::make_shared<const Result>(make()); });
         keep(name,
              made,
-             took.count() + saved_ns_ - saved_before_ns,
+             spent.cpu_ns + saved_ns_ - saved_before_ns,
              std::is_trivially_copyable_v<Result>);
         return made;
     }
 
-    /// Nanoseconds that it took to make what was there already when it was asked for. Who times a
-    /// stage adds what this grew by, and has the time of a stage that makes all by itself.
+    /// Nanoseconds of its thread that it took to make what was there already when it was asked for.
+    /// Who times a stage adds what this grew by, and has the time of a stage that makes all by
+    /// itself.
     [[nodiscard]] std::int64_t saved_ns() const { return saved_ns_; }
 
   private:

@@ -26,8 +26,6 @@
 namespace ink::studies {
 namespace {
 
-using harness::time_ns;
-
 constexpr double kPenWidth_px = 2;  // as `draw --hand-drawn` has it
 constexpr double kStep_px = 3;      // a frame: fast enough to see, slow enough for 60 frames
 
@@ -81,10 +79,11 @@ class Shaded {
                       bool is_moved,
                       const scene::View& view,
                       const TimedemoOptions& options) {
-        return time_ns([&] {
+        const auto shade = [&] {
             if (is_moved) shader_.prepare(scene);
             image_ = shader_.draw({view, colors_, 1, options.threads, options.lamps});
-        });
+        };
+        return harness::time_ns(shade, options.threads);
     }
     [[nodiscard]] const core::Image<shade::Rgb>& image() const { return image_; }
 
@@ -196,6 +195,11 @@ class Demo {
     }
 
   private:
+    template <class Work>
+    [[nodiscard]] std::int64_t time_ns(Work work) const {
+        return harness::time_ns(work, options_.threads);
+    }
+
     /// What is seen in a frame, the scene being posed.
     [[nodiscard]] scene::View view_of(int f) const {
         if (!path_.camera) return scene::frame_at(path_.path, f).view;

@@ -80,7 +80,8 @@ const harness::TableOf<FrameLine>& frames_table() {
         harness::TableOf<FrameLine> table(
             "timedemo.csv",
             "A line per frame, pass, path and method of `inkbench timedemo`, which "
-            "writes this file alone.");
+            "writes this file alone. Times are processor time of the one thread, or time on the "
+            "wall of several.");
         table.add_derived({"scene", "", "that moves"},
                           [](const FrameLine& l) { return l.scene_views.scene.name; });
         const auto view =
@@ -197,7 +198,7 @@ std::string timedemo_heading(const harness::SceneViews& scene_views,
             ? fmt::format("{:g} s of {} frames", animation->duration_s, animation->frame_count())
             : fmt::format("{:g} s of keys", animation->duration_s);
     return fmt::format(
-        "{}, {}, {} drawn along each path, {}x{}, {} thread{}, {} lights; frames per second, "
+        "{}, {}, {} drawn along each path, {}x{}, {} thread{}, {} lights; frames per second {}, "
         "median [95 %]",
         scene_views.scene.name,
         motion,
@@ -206,7 +207,8 @@ std::string timedemo_heading(const harness::SceneViews& scene_views,
         scene_views.views.front().height_px,
         options.threads,
         options.threads == 1 ? "" : "s",
-        has_own_lights(scene_views, options) ? "own" : "studio");
+        has_own_lights(scene_views, options) ? "own" : "studio",
+        options.threads == 1 ? "of processor time" : "on the wall");
 }
 
 const harness::TableInfo& timedemo_frames_table() {

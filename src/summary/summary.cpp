@@ -159,7 +159,7 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
 
 void summarise_costs(const Rows& rows, MethodSummary& summary) {
     summary.has_own_clock = std::any_of(
-        rows.begin(), rows.end(), [](const harness::Row* row) { return row->clock == "own"; });
+        rows.begin(), rows.end(), [](const harness::Row* row) { return row->has_own_clock(); });
     std::vector<double> draw_ms;
     for (const harness::Row* row : rows)
         if (row->draw_ns) draw_ms.push_back(static_cast<double>(*row->draw_ns) * 1e-6);

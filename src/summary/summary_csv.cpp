@@ -184,7 +184,7 @@ std::string remedy_of(const harness::Row& row) {
         return "a larger --size, or a view in which lines lie farther apart; f_2px_with_crowded of "
                "its rows counts the crowded pixels too";
     }
-    if (row.clock == "own") {
+    if (row.has_own_clock()) {
         return fmt::format("inkbench entrant-test tries a program; a folder has {}/{}.png",
                            harness::file_name(row.scene),
                            harness::file_name(row.view));

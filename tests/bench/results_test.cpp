@@ -23,7 +23,7 @@ void break_off(Run& run, const std::string& message) {
     }
 }
 
-/// One repetition of ten iterations that took `time_s` each.
+/// One repetition of ten iterations that took `time_s` of one thread each, and waited as long.
 Repetition repetition(std::int64_t family,
                       const std::string& name,
                       double time_s,
@@ -32,7 +32,8 @@ Repetition repetition(std::int64_t family,
     run.family_index = family;
     run.run_name.function_name = name;
     run.iterations = 10;
-    run.real_accumulated_time = 10 * time_s;
+    run.cpu_accumulated_time = 10 * time_s;
+    run.real_accumulated_time = 20 * time_s;
     run.report_label = hash;
     return run;
 }
@@ -50,6 +51,13 @@ TEST(Results, HaveLeastAndMedianInTheOrderOfRegistration) {
     EXPECT_DOUBLE_EQ(first.median_s(), 2);
     EXPECT_DOUBLE_EQ(results.rows().at(7).median_s(), 3);
     EXPECT_THAT(results.complaints(), IsEmpty());
+}
+
+TEST(Results, OfTwoThreadsAreTimedByTheWall) {
+    Results results;
+    results.add({repetition(0, "a/threads:1", 3, "h"), repetition(1, "a/threads:2/b", 3, "h")});
+    EXPECT_DOUBLE_EQ(results.rows().at(0).least_s(), 3);
+    EXPECT_DOUBLE_EQ(results.rows().at(1).least_s(), 6);
 }
 
 TEST(Results, TakeTheCopyOfAByteFrameForYardstick) {

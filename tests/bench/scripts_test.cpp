@@ -26,15 +26,18 @@ using Times_us = std::vector<std::pair<const char*, double>>;
 std::string json_of(const Times_us& times) {
     std::string entries;
     for (const auto& [name, time_us] : times) {
+        // One thread may wait; two may share the work unevenly.
+        const bool is_alone = std::string_view(name).find("/threads:2") == std::string::npos;
         for (const auto& [type, value] :
              {std::pair{"iteration", time_us}, {"iteration", 1.5 * time_us}, {"aggregate", 1e-3}})
             entries +=
                 fmt::format(R"({}{{"run_name": "{}", "run_type": "{}", "aggregate_name": "cv",)"
-                            R"( "real_time": {}, "time_unit": "us"}})",
+                            R"( "real_time": {}, "cpu_time": {}, "time_unit": "us"}})",
                             entries.empty() ? "" : ", ",
                             name,
                             type,
-                            value);
+                            is_alone ? 7 * value : value,
+                            is_alone ? value : 0.1 * value);
     }
     return R"({"context": {"cpu": "made up"}, "benchmarks": [)" + entries + "]}";
 }

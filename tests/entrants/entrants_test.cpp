@@ -77,7 +77,8 @@ TEST_F(Entrants, AnImageFolderIsReadBySceneAndViewWithItsTimes) {
     EXPECT_EQ(times.failure, "");
     EXPECT_EQ(image.at(5, 7), 255) << "dark lines on light are lines";
     EXPECT_EQ(image.at(6, 7), 0);
-    EXPECT_THAT(times.draw_ns, testing::ElementsAre(1'500'000)) << "its own clock, once";
+    EXPECT_EQ(times.clock, "own");
+    EXPECT_THAT(times.draws_ns(), testing::ElementsAre(1'500'000)) << "its own clock, once";
 }
 
 TEST_F(Entrants, AProgramGetsTheViewAndItsImageIsTaken) {
@@ -94,7 +95,25 @@ TEST_F(Entrants, AProgramGetsTheViewAndItsImageIsTaken) {
     const harness::DrawTimes times = draw(program, image);
     EXPECT_EQ(times.failure, "");
     EXPECT_EQ(image, light);
-    EXPECT_THAT(times.draw_ns, testing::ElementsAre(2'250'000));
+    EXPECT_EQ(times.clock, "own");
+    EXPECT_THAT(times.draws_ns(), testing::ElementsAre(2'250'000));
+}
+
+TEST_F(Entrants, AProgramThatNamesNoTimeIsTimedByWhatItAndItsChildrenWork) {
+    const std::string source = (folder_ / "source.png").string();
+    image_io::write_png(edge::EdgeImage(64, 36, 255), source);
+    const std::string works = "python3 -c 'import time\nwhile time.process_time() < 0.2: pass'\n";
+    const std::string program =
+        write_program("works", "#!/bin/sh\n" + works + "sleep 0.3\ncp " + source + " \"$2\"\n");
+    edge::EdgeImage image;
+    const harness::DrawTimes times = draw(program, image);
+    ASSERT_EQ(times.failure, "");
+    EXPECT_EQ(times.clock, "children");
+    ASSERT_EQ(times.draws.size(), 1U);
+    EXPECT_GE(times.draws[0].cpu_ns, 200'000'000);
+    EXPECT_GE(times.draws[0].wall_ns, 500'000'000) << "it slept, too";
+    EXPECT_LT(times.draws[0].cpu_ns, times.draws[0].wall_ns - 200'000'000);
+    EXPECT_EQ(times.draws_ns().front(), times.draws[0].cpu_ns);
 }
 
 TEST_F(Entrants, AProgramThatFailsSaysHow) {

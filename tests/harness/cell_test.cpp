@@ -61,9 +61,9 @@ TEST(DrawInTurns, RepeatsAtLeastTheMinimumAndKeepsTheImage) {
     Stage stage;
     stage.add(info);
     std::vector<edge::EdgeImage> images;
-    const auto times = draw_in_turns(stage.methods, stage.view, {1, 3, 5, 1000}, images);
+    const auto times = draw_in_turns(stage.methods, stage.view, {1, 3, 5, 1000, 0}, images);
     EXPECT_EQ(times[0].failure, "");
-    EXPECT_EQ(times[0].draw_ns.size(), 5U);
+    EXPECT_EQ(times[0].draws.size(), 5U);
     EXPECT_EQ(script.drawings, 6);  // one to warm up
     EXPECT_EQ(images[0].at(2, 2), 200);
 }
@@ -88,19 +88,6 @@ TEST(DrawInTurns, OneMethodsFailureIsItsOwn) {
     EXPECT_THAT(times[3].failure, testing::HasSubstr("it will not prepare"));
     EXPECT_EQ(stage.methods[3]->row().status, "puppet: it will not prepare");
     EXPECT_FALSE(stage.methods[3]->row().prepare_ns.has_value());
-}
-
-TEST(FillTimes, GivesMedianQuartilesAndMinimumThatWereMeasured) {
-    Row row;
-    fill_times({50, 10, 30, 20, 40}, row);
-    EXPECT_EQ(row.draw_ns, 30);
-    EXPECT_EQ(row.draw_ns_q25, 20);
-    EXPECT_EQ(row.draw_ns_q75, 40);
-    EXPECT_EQ(row.draw_ns_min, 10);
-    EXPECT_EQ(row.draw_n, 5);
-    Row none;
-    fill_times({}, none);
-    EXPECT_FALSE(none.draw_ns.has_value());
 }
 
 TEST(FillScores, CountsAddUpAndNullsStayNull) {

@@ -86,12 +86,16 @@ inline void fill_random_times(RandomValues& any, Row& row) {
     for (auto* time : {&row.prepare_ns,
                        &row.pose_ns,
                        &row.draw_ns,
-                       &row.draw_ns_q25,
+                       &row.draw_ns_median,
                        &row.draw_ns_q75,
-                       &row.draw_ns_min}) {
+                       &row.draw_ns_min,
+                       &row.draw_wall_ns,
+                       &row.draw_cpu_ns,
+                       &row.yardstick_ns}) {
         *time = any.maybe([&] { return any.count(); });
     }
     row.draw_n = any.small();
+    if (any.coin()) row.time_doubt = "waited";
 }
 
 inline CostFacts random_cost(RandomValues& any) {

@@ -114,7 +114,9 @@ TEST(RowTable, WithoutTimesDiffersInColumnsOfTimesAlone) {
     RandomValues any(3);
     Row row = random_row(any);
     row.draw_ns = row.prepare_ns = row.pose_ns = 12;
-    row.draw_ns_q25 = row.draw_ns_q75 = row.draw_ns_min = 12;
+    row.draw_ns_median = row.draw_ns_q75 = row.draw_ns_min = 12;
+    row.draw_wall_ns = row.draw_cpu_ns = row.yardstick_ns = 12;
+    row.time_doubt = "spread";
     row.draw_n = 3;
     const CsvTable timed = file_of(rows_table(), row_line(1, Study::compare, row));
     clear_times(row);

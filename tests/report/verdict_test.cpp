@@ -160,6 +160,18 @@ TEST(VerdictTable, OfARunThatIsNotFinishedSaysSoFirst) {
     EXPECT_THAT(verdict_markdown(small_comparison(), cut_off), testing::StartsWith(first));
 }
 
+TEST(VerdictMarkdown, SaysHowManyTimesAreUncertainWhereAnyAre) {
+    std::vector<harness::Row> rows = small_comparison();
+    for (harness::Row& row : rows)
+        row.draw_n = row.draw_ns ? 9 : 0;
+    const std::string quiet = verdict_markdown(rows, {});
+    EXPECT_THAT(quiet, Not(HasSubstr("busy")));
+    rows[0].time_doubt = "waited";
+    rows[6].time_doubt = "spread";
+    EXPECT_EQ(verdict_markdown(rows, {}),
+              quiet + "\nbusy machine: times of 2 of 6 cells are uncertain.\n");
+}
+
 TEST(VerdictTable, SaysWhichSceneAnErrorSitsIn) {
     std::vector<harness::Row> rows = close_comparison(6);
     rows[3].k_2px = 300;

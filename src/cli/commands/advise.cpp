@@ -18,6 +18,7 @@
 #include "draw/image_output.h"
 #include "experiment/experiment_run.h"
 #include "experiment/run_data.h"
+#include "harness/timing.h"
 #include "harness/view_images.h"
 #include "methods/method_configs.h"
 #include "report/text/answer_text.h"
@@ -250,6 +251,8 @@ void run_advise(AdviseArgs& args, const CLI::App& command) {
     advice.next = next_command(command, advice.answer, own);
     write_picture(args.views, cache, advice);
     fmt::print("{}", args.json ? as_json(advice).dump(2) + "\n" : as_text(advice));
+    const std::string busy = harness::uncertain_times(advice.rows);
+    if (!busy.empty()) fmt::print(stderr, "inkbench: {}\n", busy);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 /// What `--quick` asks for: a first look in seconds.
 constexpr const char* kQuickSize = "640x360";
-constexpr int kQuickRepetitions = 3;
+constexpr int kQuickRepetitions = 9;
 
 /// What `--demo` compares unless told otherwise: each kind of line and difficulty once, and of each
 /// family the methods that the README recommends beside those of the sources.

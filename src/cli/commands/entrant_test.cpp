@@ -39,12 +39,13 @@ bool test_view(const method::MethodConfig& config, const harness::SceneViews& sc
     const score::ScoreOptions options = harness::score_options(method::threshold_of(config));
     const double f = score::score(images.front(), truth.scoring, options).f();
     const std::string doubt = score::doubt_of(images.front(), truth.scoring, options, f);
-    const double ms =
-        times.front().draw_ns.empty() ? 0 : static_cast<double>(times.front().draw_ns[0]) * 1e-6;
-    fmt::print("{}: F {:.3f}, {:.1f} ms by its own clock{}{}\n",
+    harness::Row row;
+    harness::fill_times(times.front(), row);
+    fmt::print("{}: F {:.3f}, {:.1f} ms {}{}{}\n",
                place,
                f,
-               ms,
+               1e-6 * static_cast<double>(row.draw_ns.value_or(0)),
+               row.clock == harness::kOwnClock ? "by its own clock" : "of processor time in all",
                doubt.empty() ? "" : "; ",
                doubt);
     std::fflush(stdout);

@@ -99,7 +99,7 @@ constexpr const char* kUsualScenes = "figure,staircase,flag,tiles";
 struct FiguresArgs : MeasureArgs {
     FiguresArgs() : MeasureArgs("figures", "inkbench-figures") {
         experiment::Experiment& usual = options.usual();
-        usual.repetitions = 5;
+        usual.repetitions = 9;
         usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
         usual.crosscheck = false;
         usual.images = experiment::KeptImages::all;

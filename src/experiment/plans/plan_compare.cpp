@@ -61,10 +61,12 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const Experiment& experiment = bench.experiment();
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
-    const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 2;
+    constexpr double kUsualDraws = 12;  // from which a time is known on an idle machine
+    const bool is_timed = experiment.times && work.is_full;
+    const double draws = is_timed ? std::min<double>(kUsualDraws, experiment.repetitions) : 2;
     const double draw_mpx = mpx * mean_samples(experiment);
-    const double draw_s = std::min(draws * (0.0025 * draw_mpx + 2e-8 * triangles),
-                                   work.is_full ? experiment.budget_ms * 1e-3 : 0.03);
+    const double all_s = draws * (0.0025 * draw_mpx + 2e-8 * triangles);
+    const double draw_s = work.is_full ? all_s : std::min(all_s, 0.03);
     const int drawn = work.is_full ? work.cells - harness::kBaselines : work.prepared;
     const double image_s = at.keeps_images ? 0.011 * mpx : 0;
     const double score_s = (work.is_full && experiment.full_scores ? 0.018 : 0.002) * mpx;

@@ -97,7 +97,11 @@ void add_scores(RowTable& table) {
     row.add({"mean_width_px", "px", "drawn pixels per thinned pixel"}, &Row::mean_width_px);
     row.add({"ap", "0..1", "area under the precision envelope over 99 thresholds"}, &Row::ap);
     row.add({"prepare_ns", "ns", "once per topology", true}, &Row::prepare_ns);
-    row.add({"draw_ns", "ns", "median time of a frame", true}, &Row::draw_ns);
+    row.add({"draw_ns",
+             "ns",
+             "lower quartile of a frame's times, by `clock`: the one that ranks",
+             true},
+            &Row::draw_ns);
     row.add({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
             &Row::bytes_per_px);
     row.add({"image_hash", "", "of the edge responses; of a sequence, of all its images"},
@@ -143,14 +147,36 @@ void add_counts(RowTable& table) {
 void add_times(RowTable& table) {
     const auto row = table.part(&RowRecord::row);
     row.add({"pose_ns", "ns", "once after prepare, or when something moved", true}, &Row::pose_ns);
-    row.add({"draw_ns_q25", "ns", "lower quartile of a frame's time", true}, &Row::draw_ns_q25);
+    row.add({"draw_ns_median", "ns", "median of a frame's times", true}, &Row::draw_ns_median);
     row.add({"draw_ns_q75", "ns", "upper quartile", true}, &Row::draw_ns_q75);
     row.add({"draw_ns_min", "ns", "least", true}, &Row::draw_ns_min);
     row.part_if([](const Row& r) { return r.draw_n != 0; })
         .add({"draw_n", "", "timed frames", true}, &Row::draw_n);
+    row.add({"draw_wall_ns", "ns", "lower quartile of time on the wall", true}, &Row::draw_wall_ns);
+    row.add({"draw_cpu_ns",
+             "ns",
+             "lower quartile of processor time: of the thread, of all threads, or of the program",
+             true},
+            &Row::draw_cpu_ns);
     row.add(
-        {"clock", "", "whose clock the times are by: inkbench, or own for a method from outside"},
-        &Row::clock);
+        {"yardstick_ns",
+         "ns",
+         "lower quartile of a fixed filter over a 720p plane, timed between the drawings of the "
+         "view: times of two runs compare as ratios to it",
+         true},
+        &Row::yardstick_ns);
+    row.add({"time_doubt",
+             "",
+             "why the times are uncertain: waited (on the wall half as long again as the thread "
+             "worked), spread (the median exceeds the least by half); empty if they are not",
+             true},
+            &Row::time_doubt);
+    row.add({"clock",
+             "",
+             "that times are by: thread (processor time of the one thread), wall (of several "
+             "threads), children (processor time of a program from outside and those it started), "
+             "own (what a method from outside says); empty where nothing was timed"},
+            &Row::clock);
 }
 
 void add_truth(RowTable& table) {

@@ -22,25 +22,13 @@ constexpr const char* kDoc =
     "a column if any setting of the run changes it.";
 
 /// The columns behind the swept parameters.
-constexpr const char* kNumbers[] = {"f_2px",
-                                    "precision_2px",
-                                    "recall_2px",
-                                    "k_2px",
-                                    "n_pred",
-                                    "n_truth",
-                                    "unmatched_duplicates",
-                                    "false_positives",
-                                    "unmatched_truth",
-                                    "false_negatives",
-                                    "prepare_ns",
-                                    "pose_ns",
-                                    "draw_ns",
-                                    "draw_ns_q25",
-                                    "draw_ns_q75",
-                                    "draw_ns_min",
-                                    "draw_n",
-                                    "bytes_per_px",
-                                    "image_hash"};
+constexpr const char* kNumbers[] = {
+    "f_2px",           "precision_2px",   "recall_2px",           "k_2px",
+    "n_pred",          "n_truth",         "unmatched_duplicates", "false_positives",
+    "unmatched_truth", "false_negatives", "prepare_ns",           "pose_ns",
+    "draw_ns",         "draw_ns_median",  "draw_ns_q75",          "draw_ns_min",
+    "draw_n",          "draw_wall_ns",    "time_doubt",           "bytes_per_px",
+    "image_hash"};
 
 /// A setting: the row of its cell, with what the setting changes.
 struct SettingRow : RowRecord {

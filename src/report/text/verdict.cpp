@@ -9,6 +9,7 @@
 
 #include "core/text_table.h"
 #include "draw/crosscheck_report.h"
+#include "harness/timing.h"
 #include "report/text/answer_text.h"
 #include "summary/paired_differences.h"
 #include "summary/summary.h"
@@ -242,6 +243,9 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows, const Verdic
     if (!paper.empty()) text += "\nFor a paper: " + paper + "\n";
     for (const std::string& line : warnings(rows, summaries))
         text += "\n" + line + "\n";
+    // On the terminal it stands among the warnings of the run.
+    const std::string busy = harness::uncertain_times(rows);
+    if (!busy.empty()) text += "\n" + busy + ".\n";
     return text;
 }
 

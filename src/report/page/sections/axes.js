@@ -74,7 +74,7 @@ function axesOf(view) {
             line, value: line.value, y: share(line.f), low: share(line.f_hi), high: share(line.f_lo)})),
         ...make(AXIS_MEASURES.time, axisTimes(view.run), line => ({
             line, value: line.value, y: line.draw_ns_min,
-            noise: Math.max(AXIS_NOISE, line.draw_ns_q25 / line.draw_ns_min - 1 || 0)})),
+            noise: Math.max(AXIS_NOISE, line.draw_ns / line.draw_ns_min - 1 || 0)})),
     ];
 }
 

@@ -95,7 +95,7 @@ function axisGuide({plot, width, height}, x, y) {
 
 function axisCsv(axis) {
     const fields = axis.measure === AXIS_MEASURES.time
-        ? ['axis', 'value', 'method', 'width', 'height', 'triangles', 'draw_ns_min', 'draw_ns_q25', 'draw_n']
+        ? ['axis', 'value', 'method', 'width', 'height', 'triangles', 'draw_ns_min', 'draw_ns', 'draw_n']
         : ['axis', 'value', 'method', 'cases', 'f', 'f_lo', 'f_hi', 'precision', 'recall', 'truth_px',
             ...AXIS_FAULTS.map(fault => fault[0])];
     return [fields, ...axis.lines.map(line => fields.map(field => line[field]))];

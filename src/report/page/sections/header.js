@@ -11,6 +11,7 @@ function drawHeader(root, view) {
         element('h1', {}, headline(view)),
         lead ? element('p', {class: 'lead'}, lead) : null,
         unscoredWarning(),
+        busyWarning(),
         best && more.length ? element('details', {class: 'more', 'data-name': 'more'},
             element('summary', {}, `${count(view.contestants.length, 'method')}, ${count(best.views, 'view')} of ` +
                 `${scenesText(view, best.scenes)} with a score, ${run.rows[0].width} × ${run.rows[0].height} px: more`),
@@ -110,6 +111,16 @@ function unscoredPlaces(same, run) {
         const names = alike.slice(0, 4).map(scene => scene.name).join(', ');
         return `${names}${alike.length > 4 ? ` and ${alike.length - 4} more` : ''}: ${extent}`;
     }).join('; ');
+}
+
+/// How many times are uncertain, as the terminal says it; null where none are.
+function busyWarning() {
+    const words = runs.flatMap(run => {
+        const uncertain = run.rows.filter(row => row.time_doubt).length;
+        const timed = run.rows.filter(row => row.draw_n > 0 && !['own', 'children'].includes(row.clock)).length;
+        return uncertain ? [`busy machine: times of ${uncertain} of ${timed} cells are uncertain${ofRunText(run)}`] : [];
+    });
+    return words.length ? element('p', {class: 'note busy'}, `${words.join('; ')}.`) : null;
 }
 
 /// Views and cells without a score: a line for what they have in common, each one below.

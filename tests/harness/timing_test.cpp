@@ -1,0 +1,187 @@
+#include "harness/timing.h"
+
+#include <gmock/gmock.h>
+
+#include "harness/cell.h"
+#include "harness/yardstick.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::harness {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+/// A clock that stands still until a drawing moves it on.
+class MadeUpClock final : public core::WorkClock {
+  public:
+    [[nodiscard]] core::Spent now(core::Worker) const override { return now_; }
+    void spend(const core::Spent& more) {
+        now_.wall_ns += more.wall_ns;
+        now_.cpu_ns += more.cpu_ns;
+    }
+
+  private:
+    core::Spent now_;
+};
+
+/// What the n-th drawing takes, the 0th being the one that warms up.
+using Load = std::function<core::Spent(int n)>;
+
+class Loaded final : public method::Method {
+  public:
+    Loaded(MadeUpClock& clock, const Load& load) : clock_(clock), load_(load) {}
+    void prepare(const scene::PreparedScene&) override {}
+    void pose(const scene::PreparedScene&) override {}
+    void draw(const method::Frame&, edge::EdgeImage& out) override {
+        out.fill(0);
+        clock_.spend(load_(n_++));
+    }
+    int bytes_per_px() const override { return 3; }
+
+  private:
+    MadeUpClock& clock_;
+    const Load& load_;
+    int n_ = 0;
+};
+
+/// The row of a method under `load`, measured as `options` say.
+Row measured(const Load& load, MeasureOptions options = {}) {
+    MadeUpClock clock;
+    options.clock = &clock;
+    method::MethodInfo info;
+    info.name = "loaded";
+    info.make = [&](const core::ParamValues&) { return std::make_unique<Loaded>(clock, load); };
+    info.complete = [](const core::ParamValues&) {
+        return core::ParamValues{{"threshold", "100"}};
+    };
+    const method::MethodConfig config{&info, {}};
+    const scene::Scene scene = scene::scene_of(scene::unit_cube());
+    const scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
+    const PreparedMethods methods = prepare_methods(std::span(&config, 1), scene);
+    std::vector<edge::EdgeImage> images;
+    Row row = methods[0]->row();
+    fill_times(draw_in_turns(methods, view, options, images).front(), row);
+    return row;
+}
+
+TEST(Clock, OfAQuietMachineEndsWithNineSamplesAndNoDoubt) {
+    const Row row = measured([](int n) {
+        return n == 0 ? core::Spent{90 * kMs, 90 * kMs} : core::Spent{kMs + 7, kMs};
+    });
+    EXPECT_EQ(row.clock, "thread");
+    EXPECT_EQ(row.draw_n, 9) << "without the one that warms up";
+    EXPECT_EQ(row.draw_ns, kMs);
+    EXPECT_EQ(row.draw_cpu_ns, kMs);
+    EXPECT_EQ(row.draw_wall_ns, kMs + 7);
+    EXPECT_EQ(row.time_doubt, "");
+}
+
+TEST(Clock, TakesNineSamplesHoweverLongTheyAre) {
+    const Row row = measured([](int) { return core::Spent{2000 * kMs, 2000 * kMs}; });
+    EXPECT_EQ(row.draw_n, 9);
+}
+
+TEST(Clock, OfOneThreadGoesByProcessorTimeAndSaysThatItWaited) {
+    const auto beside = [](double wall) {
+        return [wall](int) { return core::Spent{static_cast<std::int64_t>(wall * kMs), kMs}; };
+    };
+    EXPECT_EQ(measured(beside(1.5)).time_doubt, "");
+    const Row row = measured(beside(1.51));
+    EXPECT_EQ(row.time_doubt, "waited");
+    EXPECT_EQ(row.draw_ns, kMs) << "whatever the wall says";
+    EXPECT_EQ(row.draw_wall_ns, 1'510'000);
+}
+
+TEST(Clock, OfSeveralThreadsGoesByTheWallWithTheirWorkBeside) {
+    MeasureOptions options;
+    options.threads = 2;
+    const Row row = measured([](int) { return core::Spent{3 * kMs, kMs}; }, options);
+    EXPECT_EQ(row.clock, "wall");
+    EXPECT_EQ(row.draw_ns, 3 * kMs);
+    EXPECT_EQ(row.draw_cpu_ns, kMs);
+    EXPECT_EQ(row.time_doubt, "") << "several threads may wait for each other";
+}
+
+TEST(Clock, SpikesLeaveTheLowerQuartileAndMakeMoreSamples) {
+    // Two drawings of three are slow.
+    const auto spikes = [](int n) {
+        const std::int64_t ns = n % 3 == 0 ? kMs : 3 * kMs;
+        return core::Spent{ns, ns};
+    };
+    MeasureOptions options;
+    options.budget_s = 1;
+    options.max_repetitions = 40;
+    const Row row = measured(spikes, options);
+    EXPECT_EQ(row.draw_n, 40);
+    EXPECT_EQ(row.draw_ns, kMs);
+    EXPECT_EQ(row.draw_ns_median, 3 * kMs);
+    EXPECT_EQ(row.draw_ns_min, kMs);
+    EXPECT_EQ(row.time_doubt, "spread");
+    options.budget_s = 0.05;
+    const int n = measured(spikes, options).draw_n;
+    EXPECT_TRUE(n > 20 && n < 24) << n << " samples of 2.3 ms in the mean fill 50 ms";
+}
+
+TEST(Clock, ALoadThatEndsLeavesATimeWithoutDoubt) {
+    // The first six drawings are slow; quick ones come until they are more than half of all.
+    const Row row = measured(
+        [](int n) {
+            const std::int64_t ns = n <= 6 ? 2 * kMs : kMs;
+            return core::Spent{ns, ns};
+        },
+        {1, 9, 60, 1});
+    EXPECT_EQ(row.draw_n, 13);
+    EXPECT_EQ(row.draw_ns, kMs);
+    EXPECT_EQ(row.time_doubt, "");
+}
+
+TEST(Clock, IsTimedBesideAYardstick) {
+    const Row row = measured([](int) { return core::Spent{kMs, kMs}; });
+    EXPECT_FALSE(row.yardstick_ns) << "by the made-up clock it takes no time";
+    Yardstick yardstick;
+    EXPECT_GT(time_ns([&] { yardstick.work(); }), 10'000);
+}
+
+TEST(FillTimes, GivesQuartilesMedianAndLeastThatWereMeasured) {
+    DrawTimes times{.draws = {{50, 50}, {10, 10}, {30, 30}, {20, 20}, {40, 40}}, .clock = "thread"};
+    times.has_alike = false;
+    Row row;
+    fill_times(times, row);
+    EXPECT_EQ(row.draw_ns, 20);
+    EXPECT_EQ(row.draw_ns_median, 30);
+    EXPECT_EQ(row.draw_ns_q75, 40);
+    EXPECT_EQ(row.draw_ns_min, 10);
+    EXPECT_EQ(row.draw_n, 5);
+    EXPECT_EQ(row.time_doubt, "") << "frames of a sequence take what they take";
+    times.has_alike = true;
+    fill_times(times, row);
+    EXPECT_EQ(row.time_doubt, "spread");
+    Row none;
+    fill_times({}, none);
+    EXPECT_FALSE(none.draw_ns.has_value());
+    EXPECT_EQ(none.clock, "");
+}
+
+TEST(FillTimes, OfAProgramOutsideAreInNoDoubt) {
+    Row row;
+    fill_times({.draws = {{90, 10}}, .clock = "children"}, row);
+    EXPECT_EQ(row.draw_ns, 10);
+    EXPECT_EQ(row.draw_wall_ns, 90);
+    EXPECT_EQ(row.time_doubt, "") << "it may wait for a GPU";
+    fill_times({.draws = {{70, 0}}, .clock = "own"}, row = {});
+    EXPECT_EQ(row.draw_ns, 70);
+    EXPECT_FALSE(row.draw_wall_ns || row.draw_cpu_ns) << "nobody measured it here";
+}
+
+TEST(UncertainTimes, AreSaidWhereThereAreAny) {
+    std::vector<Row> rows(5);
+    for (std::size_t i = 0; i < 4; ++i)
+        rows[i].draw_n = 9;
+    rows[3].clock = "own";
+    EXPECT_EQ(uncertain_times(rows), "");
+    rows[1].time_doubt = "waited";
+    EXPECT_EQ(uncertain_times(rows), "busy machine: times of 1 of 3 cells are uncertain");
+}
+
+}  // namespace
+}  // namespace ink::harness
