@@ -27,7 +27,7 @@ from entrant import Failed, read_view  # noqa: E402
 
 VIEWS = ("front", "top", "iso")
 ALGORITHMS = ("exact", "polygonal")
-MODELS = ("bracket", "gear", "inkbench-out/models/human.glb", "inkbench-out/models/jeep.ms3d",
+MODELS = ("bracket", "gear", "inkbench-out/models/human.glb", "inkbench-out/models/jeep.glb",
           "inkbench-out/models/house.glb")
 NEAR_PX = 0.25
 STEP_PX = 0.05  # between samples of a line that others are compared with

@@ -15,15 +15,13 @@
 #include "core/program_folder.h"
 #include "import/child_process.h"
 #include "import/imported_scene.h"
+#include "import/other_formats.h"
 #include "import/printable.h"
 
 namespace ink::import {
 namespace {
 
 constexpr const char* kChildName = "inkbench_import";
-constexpr const char* kSomeFormats =
-    ".gltf, .glb, .obj, .ply, .stl, .off, .fbx, .dae, .3ds, .3mf, .ac, .lwo, .x, .md2, .md3, .mdl "
-    "and some others";
 constexpr const char* kWholeFile = "a whole, valid model file";
 constexpr int kCannotStart = 127;  // of the dynamic loader, and of a failed exec
 constexpr std::size_t kMostReasonChars = 320;
@@ -62,7 +60,7 @@ void check_file(const std::filesystem::path& path, const Complaint& complain) {
     close(fd);
     if (is_known && S_ISDIR(status.st_mode)) complain("is a folder", "the path of a model file");
     if (!is_known || !S_ISREG(status.st_mode)) complain("is not a regular file");
-    if (status.st_size == 0) complain("the file is empty", kSomeFormats);
+    if (status.st_size == 0) complain("the file is empty", std::string(kReadEndings));
 }
 
 std::filesystem::path find_child(const ImportLimits& limits) {
@@ -97,7 +95,7 @@ std::filesystem::path find_child(const ImportLimits& limits) {
     }
     complain(fmt::format(
                  "it crashed its reader ({}); the file is damaged or its format unsupported", name),
-             kSomeFormats);
+             std::string(kReadEndings));
 }
 
 /// The whole reply of a child that came to a good end.
@@ -133,7 +131,7 @@ ImportReply reply_of(const ChildOutcome& outcome,
 void check_reply(const ImportReply& reply, const ImportLimits& limits, const Complaint& complain) {
     switch (reply.status) {
         case ImportStatus::unknown_format:
-            complain("is not a kind of model file that can be read", kSomeFormats);
+            complain("is not a kind of model file that can be read", std::string(kReadEndings));
         case ImportStatus::wrong_content:
             complain("its content is not what its extension says, nor any other model", kWholeFile);
         case ImportStatus::not_readable:

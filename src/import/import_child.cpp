@@ -25,9 +25,10 @@
 #include "import/assimp/assimp_reader.h"
 #include "import/assimp/dae_file.h"
 #include "import/gltf/gltf_reader.h"
-#include "import/meshes/line_words.h"
+#include "import/lost_digits.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/model_bytes.h"
+#include "import/other_formats.h"
 #include "import/quake_models.h"
 #include "import/refusal.h"
 #include "import/scene_stream.h"
@@ -40,91 +41,6 @@ void provoke_fault(const std::string& path, int output_fd);  // tests/import/imp
 #endif
 
 namespace {
-
-using Words = std::string_view;
-
-struct OtherFormat {
-    Words name;
-    Words mark;     ///< its first bytes; empty: it has none that is its own
-    Words endings;  ///< each between blanks
-};
-
-// Blender's and IFC's readers in Assimp leave out what they do not know and say nothing.
-constexpr std::array<OtherFormat, 24> kOtherFormats{{
-    {"an IFC file (building)", "", " .ifc .ifczip .ifcxml "},
-    {"a STEP file (CAD)", "ISO-10303-21", " .step .stp .p21 .stpz .stpx "},
-    {"an IGES file (CAD)", "", " .iges .igs "},
-    {"a USD file", "PXR-USDC", " .usd .usdc .usdz "},
-    {"a USD file", "#usda", " .usda "},
-    {"a Blender file", "BLENDER", " .blend "},
-    {"a Rhino file", "3D Geometry File Format", " .3dm "},
-    {"a Parasolid file (CAD)", "**ABCDEFGHIJKLMNOPQRSTUVWXYZ", " .x_t .x_b .xmt_txt .xmt_bin "},
-    {"an Open CASCADE shape (CAD)", "DBRep_DrawableShape", " .brep .brp "},
-    {"an Open CASCADE shape (CAD)", "\nCASCADE Topology", " "},
-    {"an Alembic file", "Ogawa", " .abc "},
-    {"a Maya file", "//Maya ASCII", " .ma .mb "},
-    {"a JT file (CAD)", "Version 8", " .jt "},
-    {"a JT file (CAD)", "Version 9", " "},
-    {"a JT file (CAD)", "Version 10", " "},
-    {"a DWG drawing", "AC10", " .dwg .dgn "},
-    {"a 3ds Max scene", "", " .max "},
-    {"a SketchUp file", "\xff\xfe\xff\x0eS", " .skp "},
-    {"a Cinema 4D file", "", " .c4d "},
-    {"an ACIS file (CAD)", "", " .sat .sab .asat .asab "},
-    {"a CAD part or assembly",
-     "",
-     " .sldprt .sldasm .ipt .iam .catpart .catproduct .prt .f3d .fcstd "},
-    {"an OpenSCAD program", "", " .scad "},
-    {"a VRML file", "#VRML", " .wrl .vrml .wrz "},
-    {"a Model 3D file", "3DMO", " .m3d .a3d "},
-}};
-
-bool is_ifc(Words head) {
-    const std::size_t schema = head.find("FILE_SCHEMA");
-    return schema != head.npos && head.substr(schema, 80).find("IFC") != head.npos;
-}
-
-[[noreturn]] void refuse(Words name) {
-    throw Refusal("",
-                  "is " + std::string(name) + ", which is not read",
-                  "an export of it as glTF, STL, OBJ or PLY");
-}
-
-/// Assimp reads the faces of a DXF file, and says nothing of solids and surfaces beside them.
-void check_dxf(const std::filesystem::path& path) {
-    constexpr std::array<Words, 6> kShapes{"3DSOLID", "BODY", "REGION", "SURFACE", "MESH", "SOLID"};
-    const std::vector<std::byte> bytes = bytes_of(path);
-    LineWords words(text_of(bytes));
-    while (words.next_line()) {
-        // A group is a code and a value, a line each; 0 begins an entity.
-        const bool is_entity = words.word() == "0";
-        if (!words.next_line() || !is_entity) continue;
-        const Words entity = words.word();
-        if (std::find(kShapes.begin(), kShapes.end(), entity) == kShapes.end()) continue;
-        throw Refusal("",
-                      "line " + std::to_string(words.line()) + ": the DXF entity \"" +
-                          std::string(entity) + "\" is not read",
-                      "3DFACE and POLYLINE meshes");
-    }
-}
-
-/// Throws Refusal, which names its format, for a file of a kind that is known and not read, such as
-/// STEP: by its first bytes where the kind has a mark, else by the file's ending.
-void refuse_other_format(const std::filesystem::path& path) {
-    const std::string head = head_of(path);
-    Words text = without_mark(head);
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
-    if (is_utf16(head) && !text.starts_with("\xff\xfe\xff\x0eS"))
-        throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
-    const std::string ending = ' ' + lower_case(path.extension().string()) + ' ';
-    for (const OtherFormat& format : kOtherFormats) {
-        if (format.mark.empty() || !text.starts_with(format.mark)) continue;
-        refuse(is_ifc(head) ? kOtherFormats.front().name : format.name);
-    }
-    if (ending == " .dxf ") check_dxf(path);
-    for (const OtherFormat& format : kOtherFormats)
-        if (ending.size() > 2 && format.endings.find(ending) != Words::npos) refuse(format.name);
-}
 
 bool is_ply(std::string_view file) {
     return file.starts_with("ply\n") || file.starts_with("ply\r") || file.starts_with("ply ");
@@ -156,11 +72,15 @@ Reader reader_of(std::string_view head, const std::string& extension) {
 std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path) {
     const std::string head = head_of(path);
     const Reader reader = reader_of(head, lower_case(path.extension().string()));
-    if (reader == nullptr) return std::nullopt;
+    if (reader == nullptr) {
+        refuse_by_content(head);
+        return std::nullopt;
+    }
     const std::vector<std::byte> bytes = bytes_of(path);
     const std::string_view file = text_of(bytes);
     const std::string name = path.stem().string();
     if (reader == read_stl && is_binary_stl(file)) return reader(file, name);
+    refuse_by_content(head);
     if (is_utf16(file)) throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
     if (reader == read_obj_alone && head.find('\0') != head.npos) {
         ImportReply reply;
@@ -252,15 +172,17 @@ ImportReply answer(ImportStatus status, const core::Error& error) {
     return reply;
 }
 
-/// By our own readers what they know, all else by Assimp.
+/// By our own readers what they know; what is not refused by name, by Assimp.
 ImportReply read_known(const std::filesystem::path& path, const ImportChoice& choice) {
     check_length(path);
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
     if (auto reply = read_mesh_file(path)) return std::move(*reply);
     if (lower_case(path.extension().string()) == ".3mf") return read_3mf(path);
-    if (!is_dae(path)) refuse_other_format(path);
-    return read_with_assimp(path, choice, 0);
+    if (!is_dae(path)) refuse_by_ending(path, head_of(path));
+    ImportReply reply = read_with_assimp(path, choice, 0);
+    note_lost_digits(reply);
+    return reply;
 }
 
 ImportReply read_model(const std::filesystem::path& path, const ImportChoice& choice) {

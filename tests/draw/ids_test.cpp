@@ -98,7 +98,7 @@ TEST(IdsAgainstEmbree, AMapFromInside) {
 }
 
 TEST(IdsAgainstEmbree, AJeepFromOutsideAndInside) {
-    const auto path = fetched_model("jeep.ms3d");
+    const auto path = fetched_model("jeep.glb");
     INK_SKIP_WITHOUT(path);
     const scene::Scene scene = import::import_scene(path);
     std::vector<scene::Camera> cameras = round_views(scene, 3);

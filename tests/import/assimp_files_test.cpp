@@ -11,6 +11,7 @@
 #include "tests/core/error_text.h"
 #include "tests/import/model_files.h"
 #include "tests/import/quake_files.h"
+#include "tests/import/read_meshes.h"
 #include "tests/import/scene_files.h"
 
 namespace ink::import {
@@ -153,31 +154,48 @@ TEST_F(AssimpFiles, ANodesMeshesAreOneObject) {
     EXPECT_NE(mesh.materials[0], mesh.materials[1]);
 }
 
-TEST_F(AssimpFiles, TheAnimationIsChosenByNameOrNumber) {
-    const auto path = write("three.x", x_file());
-    const auto way = [&](const std::string& animation) {
-        scene::Scene scene = import_scene(path, {.animation = animation});
-        EXPECT_THAT(scene.file.animation_names, ElementsAre("walk", "run", "fly"));
-        scene::pose_scene(scene, 1);
-        return std::abs(scene::to_world(scene.instances.at(0), {0, 0, 0}).x);
-    };
-    EXPECT_NEAR(way(""), 1, 1e-6);
-    EXPECT_NEAR(way("run"), 2, 1e-6);
-    EXPECT_NEAR(way("2"), 3, 1e-6);
-    for (const char* unknown : {"swim", "3", "-1"}) {
-        EXPECT_THAT(core::error_text([&] { return import_scene(path, {.animation = unknown}); }),
-                    HasSubstr(std::string("it has no animation \"") + unknown +
-                              "\" (accepted: walk, run, fly, or a number, 0..2)"));
-    }
+TEST_F(AssimpFiles, NothingIsMadeUpForFilesWithoutMeshes) {
+    const std::string bones = replaced(dae_file("<perspective/>"),
+                                       "<node id=\"left\">",
+                                       "<node id=\"hip\" type=\"JOINT\"><node id=\"knee\" "
+                                       "type=\"JOINT\"><translate>0 1 0</translate></node></node>"
+                                       "<!--");
+    EXPECT_EQ(
+        complaint(write("bones.dae", replaced(bones, "<node id=\"eye\">", "--><node id=\"eye\">"))),
+        "it holds no triangle");
 }
 
-TEST_F(AssimpFiles, NothingIsMadeUpForFilesWithoutMeshes) {
-    EXPECT_EQ(
-        complaint(write("bones.bvh",
-                        "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition "
-                        "Zposition\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 1\nFrame "
-                        "Time: 0.1\n0 0 0\n")),
-        "it holds no triangle");
+/// What is noted of the file.
+std::vector<std::string> notes_of(const std::filesystem::path& path) {
+    return import_scene(path).file.notes;
+}
+
+TEST_F(AssimpFiles, DigitsThatFloatsLoseAreNoted) {
+    // Floats are 2^-23 of their size apart, 0.5 at 5e6: of sqrt(2), the diagonal, 0.4.
+    const std::string near = dae_file("<perspective/>");
+    const auto moved = [&](const char* x) {
+        return replaced(
+            near, "0 0 0 1 0 0 0 1 0 1 1 0", fmt::format("{0} 0 0 {0} 1 0 {0} 0 1 {0} 1 1", x));
+    };
+    EXPECT_THAT(notes_of(write("near.dae", near)), IsEmpty());
+    EXPECT_THAT(notes_of(write("edge.dae", moved("100"))), IsEmpty());
+    EXPECT_THAT(notes_of(write("far.dae", moved("5000000.1"))),
+                ElementsAre("digits of 2 objects far from zero: places are read as floats, there "
+                            "up to 0.4 of the size apart"));
+    EXPECT_THAT(notes_of(write("node.dae",
+                               replaced(replaced(near, "<translate>0 0", "<translate>1e6 0"),
+                                        "<translate>5 0",
+                                        "<translate>1000005 0"))),
+                ElementsAre(HasSubstr("digits of 2 objects")))
+        << "the places of nodes are floats, too";
+    const std::string fbx = FbxFile{}.text();
+    EXPECT_THAT(notes_of(write("near.fbx", fbx)), IsEmpty());
+    EXPECT_THAT(notes_of(write("far.fbx",
+                               replaced(fbx,
+                                        "a: 0,0,0,0,0,3,0,2,0,0,2,3,1,0,0,1,0,3,1,2,0,1,2,3",
+                                        "a: 1e6,0,0,1e6,0,3,1e6,2,0,1e6,2,3,1000001,0,0,1000001,0,"
+                                        "3,1000001,2,0,1000001,2,3"))),
+                ElementsAre(HasSubstr("digits of 1 object far")));
 }
 
 }  // namespace

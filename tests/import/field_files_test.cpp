@@ -10,7 +10,6 @@
 namespace ink::import {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -52,7 +51,7 @@ TEST_F(FieldFiles, Utf16IsRefusedByName) {
             EXPECT_THAT(complaint(write("a.stl", utf16(kStlTriangle, has_mark, is_big))),
                         HasSubstr("is UTF-16 text"));
             EXPECT_THAT(
-                complaint(write("a.ase", utf16("*3DSMAX_ASCIIEXPORT 200\n", has_mark, is_big))),
+                complaint(write("a.dae", utf16("<COLLADA version='1.4.1'/>\n", has_mark, is_big))),
                 HasSubstr("is UTF-16 text"));
         }
 }
@@ -70,34 +69,6 @@ TEST_F(FieldFiles, AnEmptyPartBesideGoodOnesIsLeftOut) {
         import_scene(write("a.stl", "solid empty\nendsolid empty\n" + kStlTriangle));
     ASSERT_EQ(scene.instances.size(), 1U);
     EXPECT_EQ(scene.instances[0].name, "x");
-}
-
-TEST_F(FieldFiles, KnownFormatsThatAreNotReadAreNamed) {
-    const std::string step = "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n";
-    EXPECT_THAT(
-        complaint(write("a.step", step)),
-        AllOf(HasSubstr("is a STEP file (CAD), which is not read"), HasSubstr("glTF, STL")));
-    EXPECT_THAT(complaint(write("a", step)), HasSubstr("is a STEP file")) << "by its mark";
-    EXPECT_THAT(
-        complaint(write("a.ifc", replaced(step, "HEADER;", "HEADER;\nFILE_SCHEMA(('IFC2X3'));"))),
-        HasSubstr("is an IFC file"));
-    EXPECT_THAT(complaint(write("a.IGES", "x")), HasSubstr("is an IGES file"));
-    EXPECT_THAT(complaint(write("a.usdz", "x")), HasSubstr("is a USD file"));
-    EXPECT_THAT(complaint(write("b", "#usda 1.0\n")), HasSubstr("is a USD file"));
-    EXPECT_THAT(complaint(write("a.blend", "BLENDER-v300")), HasSubstr("is a Blender file"));
-    EXPECT_THAT(complaint(write("a.wrl", "#VRML V2.0 utf8\n")), HasSubstr("is a VRML file"));
-    EXPECT_THAT(complaint(write("a.sldprt", "x")), HasSubstr("is a CAD part"));
-}
-
-TEST_F(FieldFiles, EntitiesOfDxfThatAreNotReadAreNamed) {
-    const std::string face =
-        "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0"
-        "\n22\n1\n"
-        "32\n0\n13\n0\n23\n1\n33\n0\n";
-    const std::string end = "0\nENDSEC\n0\nEOF\n";
-    EXPECT_GT(scene::triangle_count(import_scene(write("a.dxf", face + end))), 0U);
-    EXPECT_THAT(complaint(write("b.dxf", face + "0\n3DSOLID\n8\n0\n" + end)),
-                HasSubstr("line 34: the DXF entity \"3DSOLID\" is not read"));
 }
 
 TEST_F(FieldFiles, FaultsGoToTheUserWithTheirPlace) {

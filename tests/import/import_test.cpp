@@ -254,7 +254,7 @@ TEST_F(ImportRefuses, FilesCutShort) {
 
 TEST_F(ImportRefuses, RealFilesCutShort) {
     for (const char* name :
-         {"jeep.ms3d", "engine.glb", "duck.dae", "spider.stl", "dragon_coarse.ply"}) {
+         {"jeep.glb", "engine.glb", "duck.dae", "spider.stl", "dragon_coarse.ply"}) {
         const auto whole = fetched_model(name);
         INK_SKIP_WITHOUT(whole);
         const std::string bytes = core::read_whole_file(whole).value_or("");

@@ -108,20 +108,4 @@ inline std::string dae_file(const std::string& optics) {
            "</COLLADA>\n";
 }
 
-/// A triangle that goes 1, 2 or 3 along x in one of three animations of a second.
-inline std::string x_file() {
-    const auto animation = [](const char* name, int way) {
-        return fmt::format(
-            "AnimationSet {} {{ Animation {{ {{ box }} AnimationKey {{ 2; 2; 0; 3; 0.0, 0.0, "
-            "0.0;;, "
-            "4800; 3; {}.0, 0.0, 0.0;;; }} }} }}\n",
-            name,
-            way);
-    };
-    return "xof 0303txt 0032\nAnimTicksPerSecond { 4800; }\nFrame box { FrameTransformMatrix { "
-           "1.0,0.0,0.0,0.0, 0.0,1.0,0.0,0.0, 0.0,0.0,1.0,0.0, 0.0,0.0,0.0,1.0;; }\nMesh m { 3; "
-           "0.0;0.0;0.0;, 1.0;0.0;0.0;, 0.0;1.0;0.0;; 1; 3;0,1,2;; } }\n" +
-           animation("walk", 1) + animation("run", 2) + animation("fly", 3);
-}
-
 }  // namespace ink::import

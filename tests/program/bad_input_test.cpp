@@ -77,12 +77,12 @@ TEST(BadModel, CutShort) {
 }
 
 TEST(BadModel, RealOneCutShort) {
-    const auto path = fetched_model("jeep.ms3d");
+    const auto path = fetched_model("jeep.glb");
     INK_SKIP_WITHOUT(path);
     const Desk desk;
     std::ifstream file(path, std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    expect_model_refused(desk, desk.write("cut.ms3d", whole.substr(0, whole.size() / 2)));
+    expect_model_refused(desk, desk.write("cut.glb", whole.substr(0, whole.size() / 2)));
 }
 
 TEST(BadModel, OneAmongGoodOnesCostsNoWork) {

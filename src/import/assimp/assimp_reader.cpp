@@ -1,5 +1,6 @@
 #include "import/assimp/assimp_reader.h"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/camera.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -22,6 +23,7 @@
 #include "import/assimp/fbx.h"
 #include "import/meshes/polygons.h"
 #include "import/model_bytes.h"
+#include "import/other_formats.h"
 #include "import/rest_alone.h"
 #include "import/stage_3ds.h"
 
@@ -229,13 +231,26 @@ bool have_nodes(const aiScene& scene) {
            std::all_of(scene.mLights, scene.mLights + scene.mNumLights, take);
 }
 
+/// Leaves `importer` the readers of the formats that README.md has from it, and Quake's, with which
+/// tests compare ours.
+void keep_readers(Assimp::Importer& importer) {
+    const std::set<std::string> kept{"3ds", "fbx", "dae", "mdl", "md2", "md3"};
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const std::string endings = importer.GetImporterInfo(i)->mFileExtensions;
+        if (kept.contains(endings.substr(0, endings.find(' ')))) continue;
+        Assimp::BaseImporter* reader = importer.GetImporter(i);
+        importer.UnregisterLoader(reader);
+        delete reader;  // NOLINT: Assimp gives it up with that
+    }
+}
+
 ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {
     ImportReply reply;
     reply.reason = importer.GetErrorString();
     reply.status = ImportStatus::not_readable;
     if (reply.reason.starts_with("No suitable reader found")) {
-        const bool is_known = importer.IsExtensionSupported(path.extension().string());
-        reply.status = is_known ? ImportStatus::wrong_content : ImportStatus::unknown_format;
+        reply.status =
+            has_read_ending(path) ? ImportStatus::wrong_content : ImportStatus::unknown_format;
     }
     return reply;
 }
@@ -246,6 +261,7 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
                              const ImportChoice& choice,
                              int frame) {
     Assimp::Importer importer;
+    keep_readers(importer);
     importer.SetPropertyInteger(AI_CONFIG_IMPORT_GLOBAL_KEYFRAME, frame);
     // A file without a mesh has none; the default makes up spikes for its nodes.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
