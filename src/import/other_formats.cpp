@@ -27,6 +27,8 @@ constexpr std::array kOtherFormats{
                 ".brep .brp",
                 {"DBRep_DrawableShape", "CASCADE Topology"},
                 kTessellate},
+    OtherFormat{"an IGES file", ".iges .igs", {}, "STL of it: gmsh FILE -2 -clcurv 24 -o OUT.stl"},
+    OtherFormat{"an OpenSCAD program", ".scad", {}, "STL of it: openscad -o OUT.stl FILE"},
     OtherFormat{"a DXF drawing",
                 ".dxf",
                 {"0 SECTION", "AutoCAD Binary DXF"},
@@ -48,9 +50,9 @@ constexpr std::array kOtherFormats{
                 {"BLENDER"},
                 "glTF of it: blender -b FILE --python-expr \"import bpy; "
                 "bpy.ops.export_scene.gltf(filepath='OUT.glb', export_apply=True)\""},
-    OtherFormat{"a Quake map",
+    OtherFormat{"a Quake 3 map",
                 ".bsp .pk3",
-                {"IBSP", "VBSP"},
+                {"IBSP"},
                 "OBJ of it by map_mesh of experiments/models/quake.py"},
     OtherFormat{"a BVH motion without a shape", ".bvh", {"HIERARCHY"}, kMotion},
     OtherFormat{"a CSM motion without a shape", ".csm", {"$Filename"}, kMotion},
@@ -82,7 +84,6 @@ constexpr std::array kOtherFormats{
     OtherFormat{"a MikuMikuDance model", ".pmx .pmd", {"PMX "}, kMaker},
     OtherFormat{"a Model 3D file", ".m3d .a3d", {"3DMO"}, kMaker},
     OtherFormat{"a dump of Assimp's", ".assbin .assxml", {"ASSIMP.binary"}, kMaker},
-    OtherFormat{"an IGES file", ".iges .igs", {}, kMaker},
     OtherFormat{"a USD file", ".usd .usdc .usda .usdz", {"PXR-USDC", "#usda"}, kMaker},
     OtherFormat{"a Rhino file", ".3dm", {"3D Geometry File Format"}, kMaker},
     OtherFormat{"a Parasolid file",
@@ -101,7 +102,6 @@ constexpr std::array kOtherFormats{
                 ".sldprt .sldasm .ipt .iam .catpart .catproduct .prt .f3d .fcstd",
                 {},
                 kMaker},
-    OtherFormat{"an OpenSCAD program", ".scad", {}, kMaker},
 };
 
 /// Whether one of `endings` ends `name`.

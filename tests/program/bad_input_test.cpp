@@ -59,6 +59,8 @@ TEST(BadModel, OfNoModelNoTriangleOrNumbersThatAreNone) {
           {"letter.obj", letter},
           {"noise.glb", random_bytes(4096)},
           {"model.nosuchformat", letter},
+          {"drawing.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n"},
+          {"drawing.obj", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n"},
           {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
           {"none.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"},
           {"nan.stl", stl_triangle(std::numeric_limits<float>::quiet_NaN())},
