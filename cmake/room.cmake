@@ -15,8 +15,8 @@ endfunction()
 
 # ink_test(ROOM SOURCES ... LINKS ... [SLOW NAME=FILTER...] [NIGHTLY NAME=FILTER...]): the tests of one room,
 # one program. All but those that the filters (gtest's) name run in one process, the case ROOM/quick; a failure names
-# its TEST. Each filter is a case beside it, ROOM/NAME, with the label `slow`, or `nightly` for those that not every
-# change must pass.
+# its TEST. Each filter is a case beside it, ROOM/NAME, with the label `slow`, or `nightly-NAME` for those that not every
+# change must pass: NAME is a part of .ci/night.
 function(ink_test room)
     cmake_parse_arguments(TEST "" "" "SOURCES;LINKS;SLOW;NIGHTLY" ${ARGN})
     add_executable(test_${room} ${TEST_SOURCES})
@@ -34,6 +34,9 @@ function(ink_test room)
             set(name ${CMAKE_MATCH_1})
             string(APPEND apart ${CMAKE_MATCH_3} ":")
             ink_test_case(${room}/${name} test_${room} ${CMAKE_MATCH_2})
+            if(label STREQUAL nightly)
+                set(label nightly-${name})
+            endif()
             set_tests_properties(${room}/${name} PROPERTIES LABELS ${label})
         endforeach()
     endforeach()
