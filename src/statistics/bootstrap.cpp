@@ -1,6 +1,7 @@
 #include "statistics/bootstrap.h"
 
 #include <numeric>
+#include <random>
 #include <utility>
 
 #include "statistics/simultaneous.h"
@@ -17,6 +18,19 @@ std::optional<Interval> interval_of(const std::vector<score::CurveCount>& a,
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> drawings_of(std::size_t clusters,
+                                             const BootstrapOptions& options) {
+    // The engine's sequence is fixed by the standard; its distributions are not, hence the modulo.
+    std::mt19937_64 random(options.seed);
+    std::vector<std::vector<double>> drawings(static_cast<std::size_t>(options.resamples),
+                                              std::vector<double>(clusters, 0));
+    for (std::vector<double>& times : drawings) {
+        for (std::size_t i = 0; i < clusters; ++i)
+            times[random() % clusters] += 1;
+    }
+    return drawings;
+}
 
 int known_coverage_percent(int clusters) {
     return clusters < 11 ? 80 : clusters < 26 ? 85 : 90;

@@ -19,6 +19,11 @@ struct BootstrapOptions {
     std::uint64_t seed = 0;
 };
 
+/// How often each of `clusters` clusters is drawn, with replacement: a line a drawing. The same seed
+/// gives the same everywhere.
+[[nodiscard]] std::vector<std::vector<double>> drawings_of(std::size_t clusters,
+                                                           const BootstrapOptions& options);
+
 /// The 95 % interval of the pooled F over resamplings of whole clusters, with replacement: the
 /// bootstrap t (simultaneous.h).
 ///

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <random>
 
 #include "core/parallel.h"
 
@@ -80,20 +79,6 @@ double students(double z, double freedom) {
     const double second = ((5 * z2 + 16) * z2 + 3) / 96;
     const double third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
     return z * (1 + (first + (second + third / freedom) / freedom) / freedom);
-}
-
-/// How often each cluster is drawn, a line a drawing.
-std::vector<std::vector<double>> drawings_of(std::size_t clusters,
-                                             const BootstrapOptions& options) {
-    // The engine's sequence is fixed by the standard; its distributions are not, hence the modulo.
-    std::mt19937_64 random(options.seed);
-    std::vector<std::vector<double>> drawings(static_cast<std::size_t>(options.resamples),
-                                              std::vector<double>(clusters, 0));
-    for (std::vector<double>& times : drawings) {
-        for (std::size_t i = 0; i < clusters; ++i)
-            times[random() % clusters] += 1;
-    }
-    return drawings;
 }
 
 /// A pair as it was measured, and how many errors away each drawing has it.

@@ -1,21 +1,30 @@
 #include "summary/answer.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
+#include "statistics/bootstrap.h"
 #include "summary/summary.h"
 
 namespace ink::summary {
 namespace {
 
 constexpr double kRounding = 1e-9;  ///< of F: .98 is .01 below .99
+constexpr double kSteadyShare =
+    0.75;  ///< of drawings that name the answer, which is then said alone
 
-/// Of equals the first; null of none.
-const MethodSummary* most_exact_of(const std::vector<const MethodSummary*>& summaries) {
-    const auto best =
-        std::max_element(summaries.begin(), summaries.end(), [](const auto* a, const auto* b) {
-            return *a->f_2px < *b->f_2px;
-        });
+using Summaries = std::vector<const MethodSummary*>;
+
+/// One that draws by itself comes before one that chooses; of equals the first is meant.
+bool is_before(const MethodSummary* a, const MethodSummary* b) {
+    if (*a->f_2px != *b->f_2px) return *a->f_2px > *b->f_2px;
+    return !is_choice_of_others(a->method) && is_choice_of_others(b->method);
+}
+
+/// Null of none.
+const MethodSummary* most_exact_of(const Summaries& summaries) {
+    const auto best = std::min_element(summaries.begin(), summaries.end(), is_before);
     return best == summaries.end() ? nullptr : *best;
 }
 
@@ -24,11 +33,39 @@ bool is_cheaper(const MethodSummary* a, const MethodSummary* b) {
     return std::tuple(*a->draw_ms, -*a->f_2px) < std::tuple(*b->draw_ms, -*b->f_2px);
 }
 
+bool have_equal_images(const MethodSummary& a, const MethodSummary& b) {
+    return a.image_hashes == b.image_hashes && !a.image_hashes.empty();
+}
+
+/// Whether `s` may well be as cheap as `method`: its least times are within the other's usual ones.
+bool may_be_as_cheap(const MethodSummary& s, const MethodSummary& method) {
+    if (*s.draw_ms < kAlikeTimes * *method.draw_ms) return true;
+    return s.draw_ms_doubt && method.draw_ms_doubt &&
+           s.draw_ms_doubt->low < method.draw_ms_doubt->high;
+}
+
+/// Chooses among those that are as good.
+void choose(const Summaries& as_good, Answer& answer) {
+    const auto cheapest = std::min_element(as_good.begin(), as_good.end(), is_cheaper);
+    if (cheapest == as_good.end()) return;
+    Summaries alike;
+    std::copy_if(as_good.begin(), as_good.end(), std::back_inserter(alike), [&](const auto* s) {
+        return *s->draw_ms < kAlikeTimes * *(*cheapest)->draw_ms;
+    });
+    alike.push_back(*cheapest);  // it may take no time at all
+    answer.method = most_exact_of(alike);
+    for (const MethodSummary* s : as_good) {
+        if (s != answer.method && !have_equal_images(*s, *answer.method) &&
+            may_be_as_cheap(*s, *answer.method))
+            answer.as_cheap.push_back(s);
+    }
+}
+
 }  // namespace
 
 Answer find_answer(const std::vector<MethodSummary>& summaries, const AnswerRule& rule) {
-    std::vector<const MethodSummary*> timed;
-    std::vector<const MethodSummary*> within;
+    Summaries timed;
+    Summaries within;
     for (const MethodSummary& s : summaries) {
         if (s.is_baseline || !s.f_2px) continue;
         if (s.draw_ms) timed.push_back(&s);
@@ -40,16 +77,64 @@ Answer find_answer(const std::vector<MethodSummary>& summaries, const AnswerRule
     if (fastest != timed.end()) answer.fastest = *fastest;
     answer.method = answer.most_exact = most_exact_of(within);
     if (answer.most_exact == nullptr) return answer;
-    std::vector<const MethodSummary*> as_good = within;
+    Summaries as_good = within;
     std::erase_if(as_good, [&](const MethodSummary* s) {
         const double below = *answer.most_exact->f_2px - *s->f_2px;
         return !s->draw_ms || s->has_own_clock || below > rule.f_margin + kRounding;
     });
-    const auto cheapest = std::min_element(as_good.begin(), as_good.end(), is_cheaper);
-    if (cheapest != as_good.end()) answer.method = *cheapest;
+    choose(as_good, answer);
     std::erase(within, answer.most_exact);
-    answer.next = most_exact_of(within);
+    Summaries drawn_otherwise = within;
+    std::erase_if(drawn_otherwise, [&](const MethodSummary* s) {
+        return have_equal_images(*s, *answer.most_exact);
+    });
+    answer.next = most_exact_of(drawn_otherwise.empty() ? within : drawn_otherwise);
     return answer;
+}
+
+std::vector<double> answer_shares(const std::vector<MethodSummary>& summaries,
+                                  const AnswerRule& rule,
+                                  std::uint64_t seed) {
+    std::set<std::string> scenes;
+    for (const MethodSummary& s : summaries)
+        for (const auto& [scene, counts] : s.counts_of_scene)
+            scenes.insert(scene);
+    if (scenes.size() < statistics::kFewestClusters) return {};
+    const statistics::BootstrapOptions options{.seed = seed};
+    std::vector<MethodSummary> drawn = summaries;
+    std::vector<double> shares(summaries.size(), 0);
+    for (const std::vector<double>& times : statistics::drawings_of(scenes.size(), options)) {
+        for (MethodSummary& s : drawn) {
+            if (!s.f_2px) continue;
+            score::CurveCount sum;
+            std::size_t i = 0;
+            for (const std::string& scene : scenes) {
+                const auto own = s.counts_of_scene.find(scene);
+                const auto n = static_cast<std::int64_t>(times[i++]);
+                if (own == s.counts_of_scene.end()) continue;
+                const auto& [k, n_pred, n_truth] = own->second;
+                sum += {n * k, n * n_pred, n * n_truth};
+            }
+            s.f_2px = sum.f();
+        }
+        const MethodSummary* named = find_answer(drawn, rule).method;
+        if (named == nullptr) return {};
+        shares[static_cast<std::size_t>(named - drawn.data())] += 1.0 / options.resamples;
+    }
+    return shares;
+}
+
+const MethodSummary* rival_of(const Answer& answer,
+                              const std::vector<MethodSummary>& summaries,
+                              const std::vector<double>& shares) {
+    if (shares.empty() || answer.method == nullptr || !answer.method->draw_ms) return nullptr;
+    const auto at = static_cast<std::size_t>(answer.method - summaries.data());
+    if (shares[at] >= kSteadyShare) return nullptr;
+    std::vector<double> others = shares;
+    others[at] = 0;
+    const auto most = std::max_element(others.begin(), others.end());
+    const MethodSummary& rival = summaries[static_cast<std::size_t>(most - others.begin())];
+    return *most > 0 && rival.draw_ms ? &rival : nullptr;
 }
 
 std::string place_in(const Answer& answer, const MethodSummary& summary) {

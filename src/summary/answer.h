@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace ink::summary {
 
 struct MethodSummary;
+
+/// Two times of which neither is this many times the other are alike: beside other work, ratios of
+/// times to a fixed kernel move by as much (bench/README.md).
+inline constexpr double kAlikeTimes = 1.15;
 
 /// What a reader asks of the answer to "which method makes the fewest errors in this time?".
 struct AnswerRule {
@@ -19,12 +24,17 @@ struct AnswerRule {
 /// The answer, and what it is to be held against. Null for what there is none of; they point into
 /// the summaries.
 struct Answer {
-    /// Of the methods within the budget, the cheapest by this program's clock whose F is at most
-    /// the margin below the best of them; the most exact itself where none such was timed.
+    /// Of the methods within the budget whose F is at most the margin below the best of them, the
+    /// cheapest by this program's clock; of those whose times are alike to its, the most exact; of
+    /// equals, one that draws by itself before one that chooses among others, then the first. The
+    /// most exact itself where none such was timed.
     const MethodSummary* method = nullptr;
     const MethodSummary* most_exact = nullptr;  ///< within the budget
-    const MethodSummary* next = nullptr;        ///< the most exact after that
+    const MethodSummary* next = nullptr;        ///< the most exact after that, of other images
     const MethodSummary* fastest = nullptr;     ///< of all with a score, whatever the budget
+    /// As good, with other images, and perhaps as cheap: their times and the answer's cannot be
+    /// told apart.
+    std::vector<const MethodSummary*> as_cheap = {};
 
     /// What the answer is held against: the most exact, or the next if it is that itself.
     [[nodiscard]] const MethodSummary* other() const {
@@ -35,6 +45,18 @@ struct Answer {
 /// Baselines give no answer.
 [[nodiscard]] Answer find_answer(const std::vector<MethodSummary>& summaries,
                                  const AnswerRule& rule);
+
+/// In which share of drawings of scenes, with replacement, each summary is the answer: drawn 2000
+/// times with their views, F pooled anew, times as they are. Empty with fewer than six scenes.
+[[nodiscard]] std::vector<double> answer_shares(const std::vector<MethodSummary>& summaries,
+                                                const AnswerRule& rule,
+                                                std::uint64_t seed);
+
+/// The method that drawings of scenes name most often in place of the answer, if they name another
+/// one in more than a quarter, and both have a time; else null.
+[[nodiscard]] const MethodSummary* rival_of(const Answer& answer,
+                                            const std::vector<MethodSummary>& summaries,
+                                            const std::vector<double>& shares);
 
 /// What a method is in the answer: "answer", "best" for the most exact, "both", or "".
 [[nodiscard]] std::string place_in(const Answer& answer, const MethodSummary& summary);

@@ -137,8 +137,13 @@ void find_error_scene(const Rows& rows, const std::vector<Counts>& scenes, Metho
 
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
     Counts sum;
-    for (const harness::Row* row : rows)
+    for (const harness::Row* row : rows) {
         sum += counts_2px(*row);
+        summary.counts_of_scene[row->scene] += counts_2px(*row);
+        summary.image_hashes += row->image_hash + ' ';
+    }
+    const auto has_image = [](const harness::Row* row) { return !row->image_hash.empty(); };
+    if (!std::all_of(rows.begin(), rows.end(), has_image)) summary.image_hashes.clear();
     const std::vector<Counts> scenes = counts_by_scene(rows);
     summary.scenes = static_cast<int>(scenes.size());
     summary.f_2px = pooled(rows, counts_2px);
@@ -160,14 +165,21 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
 void summarise_costs(const Rows& rows, MethodSummary& summary) {
     summary.has_own_clock = std::any_of(
         rows.begin(), rows.end(), [](const harness::Row* row) { return row->has_own_clock(); });
-    std::vector<double> draw_ms;
-    for (const harness::Row* row : rows)
-        if (row->draw_ns) draw_ms.push_back(static_cast<double>(*row->draw_ns) * 1e-6);
+    const auto ms_of = [&](std::optional<std::int64_t> harness::Row::*time_ns) {
+        std::vector<double> ms;
+        for (const harness::Row* row : rows)
+            if (row->*time_ns) ms.push_back(static_cast<double>(*(row->*time_ns)) * 1e-6);
+        return ms;
+    };
+    const std::vector<double> draw_ms = ms_of(&harness::Row::draw_ns);
     summary.draw_ms = statistics::quantile(draw_ms, 0.5);
     if (draw_ms.size() > 1) {
         summary.draw_ms_quartiles = statistics::Interval{*statistics::quantile(draw_ms, 0.25),
                                                          *statistics::quantile(draw_ms, 0.75)};
     }
+    const auto least_ms = statistics::quantile(ms_of(&harness::Row::draw_ns_min), 0.5);
+    const auto median_ms = statistics::quantile(ms_of(&harness::Row::draw_ns_median), 0.5);
+    if (least_ms && median_ms) summary.draw_ms_doubt = {*least_ms, *median_ms};
     for (const harness::Row* row : rows) {
         if (!row->bytes_per_px) continue;
         summary.bytes_per_px = std::max(summary.bytes_per_px.value_or(0), *row->bytes_per_px);
@@ -251,6 +263,11 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
     std::stable_partition(
         summaries.begin(), summaries.end(), [](const MethodSummary& s) { return !s.is_baseline; });
     return summaries;
+}
+
+bool is_choice_of_others(const std::string& method) {
+    const method::MethodInfo* info = core::find_named(methods::registry(), method);
+    return info != nullptr && info->family == method::Family::other;
 }
 
 bool takes_one_sample(const std::string& method) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/row.h"
+#include "score/score.h"
 #include "statistics/ods.h"
 #include "statistics/spread.h"
 
@@ -48,7 +49,12 @@ struct MethodSummary {
     std::map<std::string, double> recall_by_class;          ///< pooled, classes present only
     std::optional<double> draw_ms;                          ///< median over views
     std::optional<statistics::Interval> draw_ms_quartiles;  ///< over views
-    std::optional<int> bytes_per_px;                        ///< the largest
+    /// Where its time may lie: medians over views of the least and of the median of each cell.
+    std::optional<statistics::Interval> draw_ms_doubt;
+    std::map<std::string, score::CurveCount> counts_of_scene;  ///< at 2 px, by name
+    std::string image_hashes;  ///< of all its views, equal where two methods draw the same; "" if
+                               ///< one is not known
+    std::optional<int> bytes_per_px;  ///< the largest
 };
 
 /// Whether most of the method's error sits in one of many scenes: its F is then known less well
@@ -72,6 +78,9 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 /// Counts at 2 px summed over the views of each scene, in order of first appearance.
 [[nodiscard]] std::vector<score::CurveCount> counts_by_scene(
     const std::vector<const harness::Row*>& rows);
+
+/// Whether a method of the registry draws nothing by itself, but has another one draw (`auto`).
+[[nodiscard]] bool is_choice_of_others(const std::string& method);
 
 /// Whether a method of the registry looks once per pixel at the surface, so that `sampled` is what
 /// it may hope for; false for those that draw edges or hulls, and for names that the registry does

@@ -14,6 +14,7 @@ namespace ink::report {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -142,6 +143,30 @@ TEST(VerdictTable, NamesTheCheapestWithinTheMarginAndThenTheMostExact) {
         HasSubstr("\nWithin 1.00 ms, none has a score: none is faster than 1.60 ms (quick)."));
 }
 
+// At a margin that lies on the gap, drawings of scenes name now the one, now the other.
+TEST(VerdictTable, NamesBothWhereTheChoiceOfScenesDecides) {
+    const auto rows = close_comparison(12);
+    const VerdictOptions on_the_gap = {.rule = {.f_margin = 0.0061}};
+    EXPECT_THAT(
+        verdict_table(rows, on_the_gap),
+        ContainsRegex("\nquick: F 0.953 in 1.60 ms, or exact: F 0.959 in 13.0 ms. [0-9]+ % of "
+                      "drawings of scenes name the second: quick is 0.0059 below the best, and the "
+                      "margin is 0.0061. exact leads"));
+    EXPECT_THAT(verdict_markdown(rows, on_the_gap), HasSubstr("in 1.60 ms, or **exact**: F 0.959"));
+    EXPECT_THAT(verdict_table(rows), Not(HasSubstr("drawings of scenes")));
+}
+
+TEST(VerdictTable, NamesWhatTimesCannotTellApart) {
+    std::vector<harness::Row> rows = small_comparison();
+    for (harness::Row& row : rows)
+        if (row.method == "rough") row.draw_ns = 7'900'000;
+    const VerdictOptions options = {.rule = {.f_margin = 0.5}};
+    EXPECT_THAT(verdict_table(rows, options),
+                HasSubstr("\nfine: F 0.900 in 8.00 ms, the most exact. Times cannot tell it from "
+                          "rough. rough has 0.600"));
+    EXPECT_THAT(verdict_table(small_comparison(), options), Not(HasSubstr("cannot tell")));
+}
+
 TEST(VerdictTable, OfFewScenesHasNoInterval) {
     const std::string table = verdict_table(close_comparison(4));
     EXPECT_THAT(table,
@@ -209,6 +234,15 @@ TEST(VerdictTable, SaysHowManyCellsFailed) {
     const std::string table = verdict_table(rows);
     EXPECT_THAT(table, HasSubstr("2/3"));
     EXPECT_THAT(table, HasSubstr("1 cell has no score and no part in these numbers."));
+}
+
+TEST(VerdictTable, SaysHowManyScenesAndViewsHaveAScore) {
+    std::vector<harness::Row> rows = close_comparison(12);
+    for (harness::Row& row : rows)
+        if (row.scene == "0") row.status = "crowded";
+    EXPECT_THAT(verdict_table(rows), HasSubstr("over 11 of 12 views of 11 of 12 scenes pooled."));
+    EXPECT_THAT(verdict_table(close_comparison(12)),
+                HasSubstr("over 12 views of 12 scenes pooled."));
 }
 
 TEST(VerdictTable, SaysThatAMethodLeadsOnlyWhereItDoes) {

@@ -55,7 +55,7 @@ harness::Row scored_row(const std::string& method, const std::string& scene, std
 TEST(SummaryCsv, WithoutRowsIsTheHeading) {
     EXPECT_EQ(
         summary_csv({}, {}),
-        "method,kind,answer,views,scenes,failed,f_2px,f_lo,f_hi,error_scene,error_scene_share,"
+        "method,kind,answer,answer_share,views,scenes,failed,f_2px,f_lo,f_hi,error_scene,error_scene_share,"
         "f_train,f_heldout,f_real,f_macro,f_kinds,f_1px,precision,"
         "recall,ap,draw_ms,draw_ms_lo,draw_ms_hi,bytes_per_px,"
         "recall_contour,recall_contour_lo,recall_contour_hi,"
@@ -149,7 +149,7 @@ TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
 
 TEST(SummaryCsv, AMethodsNameIsQuotedWhereItMustBe) {
     const std::string csv = summary_csv({scored_row("a,\"b\"", "cube", 50)}, {});
-    EXPECT_NE(csv.find("\n\"a,\"\"b\"\"\",method,both,1,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\n\"a,\"\"b\"\"\",method,both,,1,"), std::string::npos) << csv;
 }
 
 }  // namespace

@@ -105,6 +105,13 @@ function timeOf(rows) {
     return {median: quantile(times, 0.5), low: quantile(times, 0.25), high: quantile(times, 0.75)};
 }
 
+/// Where a method's time may lie: medians over views of the least and of the median of each cell.
+function doubtOf(rows) {
+    const [low, high] = ['draw_ns_min', 'draw_ns_median'].map(
+        name => quantile(ascending(rows.map(row => (isNumber(row[name]) ? row[name] * 1e-6 : null))), 0.5));
+    return isNumber(low) && isNumber(high) ? {low, high} : null;
+}
+
 /// How long frames of rows `b` take of those of `a`: the geometric mean over the views that both have of
 /// the ratios of their least times, as `inkbench diff` has it. Null where times do not compare.
 function timeRatio(a, b) {
@@ -164,6 +171,8 @@ function summarise(method, rows, measure) {
         width_px: widths.length ? d3.mean(widths) : null,
         ms: time ? time.median : null,
         msRange: time && scored.length > 1 ? time : null,
+        msDoubt: doubtOf(scored),
+        images: scored.every(row => row.image_hash) ? scored.map(row => row.image_hash).join(' ') : method.name,
         bytes: d3.max(scored, row => row.bytes_per_px) ?? null,
     };
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <cstdint>
 #include <utility>
 
 #include "statistics/bootstrap.h"
@@ -46,6 +46,51 @@ std::string time_text(const char* in, const MethodSummary& s) {
     if (!s.draw_ms) return "";
     return fmt::format(
         " {} {} ms{}", in, format_ms(s.draw_ms), s.has_own_clock ? " by its own clock" : "");
+}
+
+/// The method that drawings of scenes name instead in more than a quarter, or null, and how often.
+struct Rival {
+    const MethodSummary* method = nullptr;
+    double share = 0;
+};
+
+Rival rival_of(const std::vector<harness::Row>& rows,
+               const std::vector<MethodSummary>& summaries,
+               const Answer& answer,
+               const summary::AnswerRule& rule) {
+    const std::uint64_t seed = rows.empty() ? 0 : rows.front().seed;
+    const std::vector<double> shares = summary::answer_shares(summaries, rule, seed);
+    const MethodSummary* rival = summary::rival_of(answer, summaries, shares);
+    return rival == nullptr
+               ? Rival{}
+               : Rival{rival, shares[static_cast<std::size_t>(rival - summaries.data())]};
+}
+
+/// How often drawings of scenes name the rival, and what decides.
+std::string rival_sentence(const Answer& answer,
+                           const Rival& rival,
+                           const summary::AnswerRule& rule,
+                           Markup markup) {
+    if (rival.method == nullptr) return "";
+    // Both are as cheap as they are in every drawing: the gap of the cheaper one moves.
+    const MethodSummary& cheaper =
+        *rival.method->draw_ms < *answer.method->draw_ms ? *rival.method : *answer.method;
+    return fmt::format(
+        " {:.0f} % of drawings of scenes name the second: {} is {:.4f} below the best, and the "
+        "margin is {:g}.",
+        100 * rival.share,
+        code(cheaper.method, markup),
+        *answer.most_exact->f_2px - *cheaper.f_2px,
+        rule.f_margin);
+}
+
+/// Which methods may be the answer as far as times can tell.
+std::string times_sentence(const Answer& answer, Markup markup) {
+    if (answer.as_cheap.empty()) return "";
+    std::vector<std::string> names;
+    for (const MethodSummary* s : answer.as_cheap)
+        names.push_back(code(s->method, markup));
+    return fmt::format(" Times cannot tell it from {}.", fmt::join(names, ", "));
 }
 
 /// How the other differs from the answer; nothing without a view that both have.
@@ -143,15 +188,24 @@ std::string answer_sentences(const std::vector<harness::Row>& rows,
     if (answer.method == nullptr)
         return "No method was scored on any view, so there is no verdict.";
     const MethodSummary& method = *answer.method;
+    const Rival rival = rival_of(rows, summaries, answer, rule);
     std::string text = fmt::format("{}{}: F {}{}",
                                    budget,
                                    strong(method.method, markup),
                                    f_text(method),
                                    time_text("in", method));
+    if (rival.method != nullptr) {
+        text += fmt::format(", or {}: F {}{}",
+                            strong(rival.method->method, markup),
+                            f_text(*rival.method),
+                            time_text("in", *rival.method));
+    }
     const bool is_alone = answer.other() == nullptr;
     if (is_alone) text += ", the only method";
-    if (!is_alone && &method == answer.most_exact) text += ", the most exact";
+    if (!is_alone && &method == answer.most_exact)
+        text += rival.method == nullptr ? ", the most exact" : "; the first is the most exact";
     text += method.draw_ms || is_alone ? "." : "; no time was taken.";
+    text += rival_sentence(answer, rival, rule, markup) + times_sentence(answer, markup);
     const std::string scene = error_scene_text(method);
     if (!scene.empty()) text += fmt::format(" It has {}.", scene);
     return is_alone ? text : text + other_sentences(rows, differences, answer, markup);

@@ -182,6 +182,26 @@ std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
     return lines;
 }
 
+/// How many scenes and views of the run have a score, where some have none.
+std::string scored_text(const std::vector<harness::Row>& rows, const summary::MethodSummary& most) {
+    std::set<std::string> scenes;
+    std::set<harness::Place> places;
+    for (const harness::Row& row : rows) {
+        scenes.insert(row.scene);
+        places.insert(harness::place_of(row));
+    }
+    const auto of_all = [](int count, std::size_t all, const char* what) {
+        const bool is_whole = static_cast<std::size_t>(count) == all;
+        return fmt::format("{}{} {}{}",
+                           count,
+                           is_whole ? "" : fmt::format(" of {}", all),
+                           what,
+                           all == 1 ? "" : "s");
+    };
+    return of_all(most.views, places.size(), "view") + " of " +
+           of_all(most.scenes, scenes.size(), "scene");
+}
+
 /// The answer, over what it is, on which parts it holds, how many cells failed.
 std::string sentence_of(const std::vector<harness::Row>& rows,
                         const std::vector<summary::MethodSummary>& summaries,
@@ -191,12 +211,9 @@ std::string sentence_of(const std::vector<harness::Row>& rows,
     const std::string answer = answer_sentences(rows, summaries, differences, options.rule, markup);
     const summary::MethodSummary* most = summary::find_answer(summaries, {}).most_exact;
     if (most == nullptr) return answer + failures(summaries);
-    return fmt::format("{} F is at 2 px, over {} view{} of {} scene{} pooled.{}{}",
+    return fmt::format("{} F is at 2 px, over {} pooled.{}{}",
                        answer,
-                       most->views,
-                       most->views == 1 ? "" : "s",
-                       most->scenes,
-                       most->scenes == 1 ? "" : "s",
+                       scored_text(rows, *most),
                        by_part(summaries),
                        failures(summaries));
 }

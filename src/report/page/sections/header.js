@@ -42,11 +42,17 @@ function verdictSentences(view) {
     const [first, rest] = answerWords(view);
     const most = d3.greatest(contestants, s => s.value);
     const words = [runs.length > 1 ? `${view.run.label}: ${first}. ${rest}` : rest,
-        `${measureWord(view.measure)} is at ${view.measure === 'f_1px' ? 1 : 2} px, over ${count(most.views, 'view')} of ${count(most.scenes, 'scene')} pooled.`,
+        `${measureWord(view.measure)} is at ${view.measure === 'f_1px' ? 1 : 2} px, over ${countOfAll(most.views, view.views, 'view')} of ` +
+            `${countOfAll(most.scenes, view.scenes.length, 'scene')} pooled.`,
         partWords(contestants)];
     const front = paretoFront(contestants, s => s.ms, s => 1 - s.value).map(s => s.method);
     if (front.length > 1) words.push(`No method is both faster and better than these: ${front.join(', ')}.`);
     return words;
+}
+
+/// "83 of 87 views", "36 scenes".
+function countOfAll(number, all, what) {
+    return number === all ? count(all, what) : `${number} of ${count(all, what)}`;
 }
 
 /// The best method of each part of the suite, or which the only part is: on what the verdict holds.
