@@ -24,6 +24,7 @@
 #include "import/animation_choice.h"
 #include "import/assimp/assimp_reader.h"
 #include "import/assimp/dae_file.h"
+#include "import/fbx/fbx_reader.h"
 #include "import/gltf/gltf_reader.h"
 #include "import/lost_digits.h"
 #include "import/meshes/mesh_readers.h"
@@ -179,6 +180,7 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
     if (auto reply = read_mesh_file(path)) return std::move(*reply);
     if (lower_case(path.extension().string()) == ".3mf") return read_3mf(path);
+    if (auto reply = read_fbx(path, choice)) return std::move(*reply);
     if (!is_dae(path)) refuse_by_ending(path, head_of(path));
     ImportReply reply = read_with_assimp(path, choice, 0);
     note_lost_digits(reply);

@@ -30,6 +30,7 @@ constexpr Target kTargets[] = {
     {"entrant_image", check_entrant_image},
     {"entrant_times", check_entrant_times},
     {"experiment", check_experiment},
+    {"fbx", check_fbx},
     {"kept_truth", check_kept_truth},
     {"matching", check_matching},
     {"mesh_pass", check_mesh_pass},

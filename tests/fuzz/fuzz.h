@@ -104,6 +104,7 @@ void check_cameras_3ds(Bytes bytes);
 void check_entrant_image(Bytes bytes);
 void check_entrant_times(Bytes bytes);
 void check_experiment(Bytes bytes);
+void check_fbx(Bytes bytes);
 void check_gltf(Bytes bytes);
 void check_kept_truth(Bytes bytes);
 void check_matching(Bytes bytes);

@@ -137,10 +137,10 @@ glm::dmat4 to_glm(const aiMatrix4x4& m) {
 }
 
 // No recursion: a hostile tree is deep.
-std::vector<PlacedNode> placed_nodes(const aiScene& scene, const glm::dmat4& world_from_file) {
+std::vector<PlacedNode> placed_nodes(const aiScene& scene) {
     std::vector<PlacedNode> placed;
     if (scene.mRootNode == nullptr) return placed;
-    const glm::dmat4 root = world_from_file * to_glm(scene.mRootNode->mTransformation);
+    const glm::dmat4 root = to_glm(scene.mRootNode->mTransformation);
     std::vector<PlacedNode> open{{scene.mRootNode, root, scene::kNoNode}};
     while (!open.empty()) {
         const PlacedNode current = open.back();

@@ -24,9 +24,8 @@ struct PlacedNode {
 /// The affine part of an Assimp matrix (which is row by row), in double.
 [[nodiscard]] glm::dmat4 to_glm(const aiMatrix4x4& m);
 
-/// All nodes, parents first, in the file's order; the root stands in what `world_from_file` says.
-[[nodiscard]] std::vector<PlacedNode> placed_nodes(const aiScene& scene,
-                                                   const glm::dmat4& world_from_file);
+/// All nodes, parents first, in the file's order.
+[[nodiscard]] std::vector<PlacedNode> placed_nodes(const aiScene& scene);
 
 /// Nodes by name, the first of each: so Assimp names bones and channels.
 using NodeNumbers = std::unordered_map<std::string, std::uint32_t>;

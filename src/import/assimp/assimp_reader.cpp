@@ -20,7 +20,6 @@
 #include "import/animation_choice.h"
 #include "import/assimp/assimp_nodes.h"
 #include "import/assimp/dae_file.h"
-#include "import/assimp/fbx.h"
 #include "import/meshes/polygons.h"
 #include "import/model_bytes.h"
 #include "import/other_formats.h"
@@ -81,27 +80,6 @@ std::vector<ImportedLight> convert_lights(const aiScene& scene,
     return lights;
 }
 
-/// How an FBX file's coordinates are meant; those of other files are y up.
-FbxAxes axes_of(const aiScene& scene) {
-    FbxAxes axes;
-    if (scene.mMetaData == nullptr) return axes;
-    const auto read = [&](const char* key, int& value) {
-        std::int32_t number = 0;
-        if (scene.mMetaData->Get(key, number)) value = number;
-    };
-    read("UpAxis", axes.up.number);
-    read("UpAxisSign", axes.up.sign);
-    read("FrontAxis", axes.front.number);
-    read("FrontAxisSign", axes.front.sign);
-    read("CoordAxis", axes.right.number);
-    read("CoordAxisSign", axes.right.sign);
-    float unit = 1;
-    double fine_unit = 1;
-    if (scene.mMetaData->Get("UnitScaleFactor", unit)) axes.cm_per_unit = unit;
-    if (scene.mMetaData->Get("UnitScaleFactor", fine_unit)) axes.cm_per_unit = fine_unit;
-    return axes;
-}
-
 /// The name of the reader that took the file, such as "Autodesk FBX Importer".
 std::string reader_name(const Assimp::Importer& importer) {
     const int index = importer.GetPropertyInteger("importerIndex", -1);
@@ -142,8 +120,7 @@ ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode
 /// What Assimp does not say of a file's cameras.
 struct CameraFacts {
     std::vector<DaeCamera> dae{};
-    std::map<std::string, std::size_t> asked{};       ///< how often, of each node
-    std::map<std::string, double> parallel_of_fbx{};  ///< by node: the width that is seen
+    std::map<std::string, std::size_t> asked{};  ///< how often, of each node
 
     /// The next Collada camera of a node, in the file's order. A node that is placed several times
     /// is asked for its own again.
@@ -156,17 +133,6 @@ struct CameraFacts {
     }
 };
 
-CameraFacts camera_facts(const std::filesystem::path& path,
-                         const std::string& reader,
-                         const std::optional<DaeFile>& dae) {
-    CameraFacts facts;
-    if (dae) facts.dae = dae->cameras;
-    if (!reader.starts_with("Autodesk FBX")) return facts;
-    const std::vector<std::byte> bytes = bytes_of(path);
-    facts.parallel_of_fbx = read_fbx_parallel_cameras(text_of(bytes));
-    return facts;
-}
-
 void convert_cameras(const aiScene& scene,
                      const std::vector<PlacedNode>& nodes,
                      CameraFacts facts,
@@ -176,15 +142,12 @@ void convert_cameras(const aiScene& scene,
         const aiCamera& camera = *scene.mCameras[c];
         const std::string name = camera.mName.C_Str();
         const DaeCamera* dae = facts.next_dae(name);
-        const auto fbx = facts.parallel_of_fbx.find(name);
         reply.cameras.push_back(convert_camera(camera, nodes));
         ImportedCamera& taken = reply.cameras.back();
         const auto angle = dae == nullptr ? std::nullopt : dae->fov_y_rad();
         if (angle) taken.fov_y_rad = *angle;
         if (dae != nullptr && dae->is_parallel) {
             taken.height_world = unit * dae->height();
-        } else if (fbx != facts.parallel_of_fbx.end()) {
-            taken.height_world = unit * fbx->second / aspect_of(camera);
         } else if (camera.mOrthographicWidth > 0) {
             taken.height_world = unit * 2 * camera.mOrthographicWidth / aspect_of(camera);
         }
@@ -221,7 +184,7 @@ void note_transparency(const aiScene& scene, ImportReply& reply) {
 /// Whether each camera and each light has a node of its name, and that name alone.
 bool have_nodes(const aiScene& scene) {
     std::map<std::string, int> nodes;
-    for (const PlacedNode& placed : placed_nodes(scene, glm::dmat4(1)))
+    for (const PlacedNode& placed : placed_nodes(scene))
         ++nodes[placed.node->mName.C_Str()];
     const auto take = [&](const auto* thing) {
         const auto node = nodes.find(thing->mName.C_Str());
@@ -234,7 +197,7 @@ bool have_nodes(const aiScene& scene) {
 /// Leaves `importer` the readers of the formats that README.md has from it, and Quake's, with which
 /// tests compare ours.
 void keep_readers(Assimp::Importer& importer) {
-    const std::set<std::string> kept{"3ds", "fbx", "dae", "mdl", "md2", "md3"};
+    const std::set<std::string> kept{"3ds", "dae", "mdl", "md2", "md3"};
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         const std::string endings = importer.GetImporterInfo(i)->mFileExtensions;
         if (kept.contains(endings.substr(0, endings.find(' ')))) continue;
@@ -265,8 +228,6 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
     importer.SetPropertyInteger(AI_CONFIG_IMPORT_GLOBAL_KEYFRAME, frame);
     // A file without a mesh has none; the default makes up spikes for its nodes.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    // From 5.3 on, Assimp turns FBX files itself, and by another rule. The key has no name before.
-    importer.SetPropertyBool("AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION", true);
     std::optional<DaeFile> dae;
     if (is_dae(path)) dae = read_dae(path);
     const aiScene* scene =
@@ -290,9 +251,7 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
                                          (is_validated ? aiProcess_ValidateDataStructure : 0U));
     if (scene == nullptr) return refusal(importer, path);
     const std::string reader = reader_name(importer);
-    const bool is_fbx = reader.starts_with("Autodesk FBX");
-    const std::vector<PlacedNode> nodes =
-        placed_nodes(*scene, is_fbx ? y_up_from_fbx(axes_of(*scene)) : glm::dmat4(1));
+    const std::vector<PlacedNode> nodes = placed_nodes(*scene);
     for (unsigned a = 0; a < scene->mNumAnimations; ++a)
         reply.animation_names.emplace_back(scene->mAnimations[a]->mName.C_Str());
     scene::Animation motion;
@@ -303,7 +262,8 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
         reply.cameras = read_3ds_cameras(path, motion);
         reply.lights = read_3ds_lights(path, motion, reply.notes);
     } else {
-        convert_cameras(*scene, nodes, camera_facts(path, reader, dae), reply);
+        convert_cameras(
+            *scene, nodes, {.dae = dae ? dae->cameras : std::vector<DaeCamera>{}}, reply);
         reply.lights = convert_lights(*scene, nodes);
     }
     take_base_colors(*scene, reply);

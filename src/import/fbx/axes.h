@@ -1,9 +1,6 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
-#include <map>
-#include <string>
-#include <string_view>
 
 namespace ink::import {
 
@@ -22,10 +19,5 @@ struct FbxAxes {
 /// Turns the file's coordinates so that y is up, as Collada's up_axis does: z up becomes (x, z,
 /// -y), x up (-y, x, z). Left-handed axes are mirrored along the front. Lengths become centimetres.
 [[nodiscard]] glm::dmat4 y_up_from_fbx(const FbxAxes& axes);
-
-/// The nodes of an FBX file, text or binary, whose camera is orthographic, by name, and the width
-/// that it sees in the file's unit: 30 times its zoom. Assimp takes these for cameras of
-/// perspective.
-[[nodiscard]] std::map<std::string, double> read_fbx_parallel_cameras(std::string_view file);
 
 }  // namespace ink::import
