@@ -175,7 +175,7 @@ void add_times(RowTable& table) {
              "",
              "that times are by: thread (processor time of the one thread), wall (of several "
              "threads), children (processor time of a program from outside and those it started), "
-             "own (what a method from outside says); empty where nothing was timed"},
+             "own (what a method from outside says); empty where nothing was drawn"},
             &Row::clock);
 }
 
