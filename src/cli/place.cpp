@@ -29,6 +29,16 @@ glm::dvec3 axis(const scene::Camera& camera, int row) {
 
 }  // namespace
 
+void print_up(const std::string& scene, harness::UpAxis up) {
+    if (up != harness::UpAxis::y) fmt::print(stderr, "inkbench: {}: {} is up\n", scene, name(up));
+}
+
+void print_notes(const harness::SceneViews& scene_views) {
+    const scene::Scene& scene = scene_views.scene;
+    if (scene_views.has_named_views) print_up(scene.name, scene_views.up);
+    print_not_heeded(scene.name, scene.file.notes);
+}
+
 void print_not_heeded(const std::string& scene, const std::vector<std::string>& notes) {
     if (notes.empty()) return;
     fmt::print(stderr, "inkbench: {}: not heeded: {}\n", scene, fmt::join(notes, "; "));
@@ -43,6 +53,7 @@ Place place_of(const harness::SceneViews& scene_views) {
     place.not_heeded = scene_views.scene.file.notes;
     place.center_world = sphere.center_world;
     place.radius = sphere.radius;
+    place.up = scene_views.up;
     scene::Box box;
     for (const glm::dvec3& p : surface.p_world)
         box.add(p);
@@ -74,14 +85,15 @@ std::string as_text(const Place& place) {
     const auto text_of = [&](const glm::dvec3& p) { return cli::text_of(p, is_far ? 15 : 9); };
     std::string text = fmt::format(
         "box {} .. {} ({:.9g} x {:.9g} x {:.9g}), centre {}, radius "
-        "{:.9g}\nviews, as options of a camera of your own:\n",
+        "{:.9g}\nup in views by name: {} (--up)\nviews, as options of a camera of your own:\n",
         text_of(place.low_world),
         text_of(place.high_world),
         size.x,
         size.y,
         size.z,
         text_of(place.center_world),
-        place.radius);
+        place.radius,
+        name(place.up));
     if (is_far) {
         text = fmt::format("origin {}, taken out of all coordinates before they became floats\n",
                            text_of(place.origin)) +
@@ -112,6 +124,7 @@ nlohmann::ordered_json as_json(const Place& place) {
         {"box", {{"low", json_of(place.low_world)}, {"high", json_of(place.high_world)}}},
         {"centre", json_of(place.center_world)},
         {"radius", place.radius},
+        {"up", name(place.up)},
         {"origin", json_of(place.origin)},
         {"animations", place.animations},
         {"not_heeded", place.not_heeded},

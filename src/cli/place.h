@@ -26,11 +26,18 @@ struct Place {
     glm::dvec3 high_world{0};
     glm::dvec3 center_world{0};
     double radius = 0;
+    harness::UpAxis up = harness::UpAxis::y;  ///< in views by name
     std::vector<Camera> cameras;
     glm::dvec3 origin{0};  ///< taken out of all coordinates before they became floats
     std::vector<std::string> animations;
     std::vector<std::string> not_heeded;  ///< what of the file does not count here
 };
+
+/// Says on stderr which axis is up in the views by name of a scene, unless that is y.
+void print_up(const std::string& scene, harness::UpAxis up);
+
+/// That, where views are by name, and what of a model's file does not count here.
+void print_notes(const harness::SceneViews& scene_views);
 
 /// Says on stderr, in one line, what of a model's file does not count here; nothing if all does.
 void print_not_heeded(const std::string& scene, const std::vector<std::string>& notes);

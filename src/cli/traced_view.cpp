@@ -19,7 +19,7 @@ truth::TruthOptions with_progress(truth::TruthOptions options) {
 
 TracedView::TracedView(harness::SceneViews traced, const harness::TraceOptions& options)
     : scene_views(std::move(traced)), model(scene_views.scene, with_progress(options.truth)) {
-    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    print_notes(scene_views);
     try {
         truth = harness::trace_view(model, view(), options);
     } catch (const truth::TooLarge& reason) {

@@ -9,10 +9,15 @@
 #include "cli/options/options.h"
 #include "cli/traced_view.h"
 #include "core/error.h"
+#include "core/named.h"
+#include "core/param.h"
 #include "core/whole_file.h"
+#include "draw/covered_lines.h"
+#include "draw/drawn_lines.h"
+#include "draw/dxf_drawing.h"
 #include "draw/line_drawing.h"
+#include "draw/sheet.h"
 #include "harness/view_images.h"
-#include "truth/drawn_lines.h"
 
 namespace ink::cli {
 namespace {
@@ -26,28 +31,51 @@ void check_sheet(double width_mm, const char* option) {
                       fmt::format("{:g}..{:g}", kLeastSheet_mm, kMostSheet_mm));
 }
 
-/// A parallel view has a scale; one in perspective is as wide as a browser shows it.
-double sheet_width_mm(const scene::View& view, const DrawingOptions& options) {
-    if (options.sheet_width_mm) return *options.sheet_width_mm;
-    const scene::Camera& camera = view.camera;
-    if (camera.is_parallel()) {
-        const double units = camera.height_world * view.width_px / view.height_px;
-        const double width_mm = units * options.mm_per_unit.value_or(1);
-        check_sheet(width_mm, "--scale");
-        return width_mm;
-    }
-    if (options.mm_per_unit) {
-        throw core::Error("--scale",
-                          fmt::format("view '{}' is in perspective", camera.name),
-                          "parallel views (--projection parallel), or --sheet-width");
-    }
-    return draw::usual_sheet_mm(view.width_px);
+std::optional<double> asked_scale(const DrawingOptions& options) {
+    return options.scale ? draw::parse_scale(*options.scale) : std::nullopt;
 }
 
-truth::DrawnLines lines_of(truth::SceneModel& model, const scene::View& view, bool hidden) {
+/// A parallel view has a scale; one in perspective is as wide as a browser shows it.
+draw::Sheet image_sheet(const scene::View& view, const DrawingOptions& options) {
+    if (options.sheet_width_mm) return draw::image_sheet(view, *options.sheet_width_mm);
+    const scene::Camera& camera = view.camera;
+    if (!camera.is_parallel()) return draw::image_sheet(view, draw::usual_sheet_mm(view.width_px));
+    const double units = camera.height_world * view.width_px / view.height_px;
+    const double width_mm = units * asked_scale(options).value_or(1);
+    check_sheet(width_mm, "--scale");
+    return draw::image_sheet(view, width_mm);
+}
+
+/// What can be said before a line is traced.
+void check_view(const scene::View& view, const DrawingOptions& options) {
+    if (options.scale && !view.camera.is_parallel()) {
+        throw core::Error("--scale",
+                          fmt::format("view '{}' is in perspective", view.camera.name),
+                          "parallel views (--projection parallel), or --sheet-width");
+    }
+    if (!options.paper) (void)image_sheet(view, options);
+}
+
+draw::Sheet sheet_of(const scene::View& view,
+                     const truth::TracedLines& lines,
+                     const DrawingOptions& options) {
+    if (!options.paper) return image_sheet(view, options);
+    const draw::Paper& paper = *core::find_named(draw::kPapers, *options.paper);
+    if (const auto sheet = draw::paper_sheet(paper, view, lines, asked_scale(options)))
+        return *sheet;
+    throw core::Error("--scale",
+                      fmt::format("at {} view '{}' does not fit on {} with {:g} mm free all round",
+                                  *options.scale,
+                                  view.camera.name,
+                                  paper.name,
+                                  draw::kBorder_mm),
+                      "a smaller scale, a larger --sheet, or --sheet without a scale");
+}
+
+truth::TracedLines lines_of(truth::SceneModel& model, const scene::View& view, bool hidden) {
     const truth::TruthOptions& options = model.options();
     try {
-        return truth::trace_drawn_lines(
+        return draw::trace_drawn_lines(
             model.model(),
             view,
             {.threads = options.threads, .limits = options.limits, .progress = options.progress},
@@ -57,14 +85,58 @@ truth::DrawnLines lines_of(truth::SceneModel& model, const scene::View& view, bo
     }
 }
 
+void say_what_is_drawn(const std::string& what,
+                       const std::filesystem::path& path,
+                       const draw::Sheet& sheet,
+                       const std::string& lines) {
+    if (const std::string doubt = draw::doubt_of_size(sheet); !doubt.empty()) {
+        fmt::print(stderr,
+                   "inkbench: {}: its sheet of {:.4g} x {:.4g} mm is {}; --sheet A4 or another "
+                   "--scale fits it\n",
+                   what,
+                   sheet.width_mm,
+                   sheet.height_mm,
+                   doubt);
+    }
+    fmt::print("{}: {}, {:.4g} x {:.4g} mm{}\n",
+               what,
+               path.string(),
+               sheet.width_mm,
+               sheet.height_mm,
+               lines);
+}
+
+void write_drawing(truth::SceneModel& model,
+                   const scene::View& view,
+                   const DrawingOptions& options,
+                   const std::string& up) {
+    const std::string& scene = model.scene().name;
+    truth::TracedLines traced = lines_of(model, view, options.hidden);
+    const draw::Sheet sheet = sheet_of(view, traced, options);
+    draw::remove_covered(traced, draw::same_line_px(sheet));
+    const draw::DrawnLines lines = draw::joined_by_class(std::move(traced));
+    std::filesystem::path path = *options.place;
+    if (options.is_folder()) path /= harness::file_name(view.camera.name) + ".svg";
+    const auto drawing = path.extension() == ".dxf" ? draw::dxf_drawing : draw::line_drawing;
+    core::write_whole_file(path, drawing(lines, scene, view, sheet));
+    std::string said;
+    if (view.camera.is_parallel()) {
+        const double scale = draw::mm_per_unit(sheet, view);
+        said = fmt::format(", scale {} ({:.4g} mm a unit)", draw::scale_text(scale), scale);
+    }
+    said += up + fmt::format(", {} visible", lines.visible.size());
+    if (options.hidden) said += fmt::format(", {} hidden", lines.hidden.size());
+    say_what_is_drawn(scene + " " + view.camera.name, path, sheet, said + " lines");
+}
+
 }  // namespace
 
 void add_drawing_options(CLI::App& command, DrawingOptions& options) {
     command
         .add_option("--drawing",
                     options.place,
-                    "SVG for print, in mm, of long lines in a group per class: a name in .svg for "
-                    "one view, else a folder, which gets VIEW.svg of each view")
+                    "Drawing for print, in mm, of long lines in a group per class: a name in .svg "
+                    "or .dxf (release 12) for one view, else a folder, which gets VIEW.svg of each")
         ->type_name("FILE|DIR");
     command.add_flag("--hidden", options.hidden, "Hidden lines too, dashed, in --drawing");
     command
@@ -73,10 +145,17 @@ void add_drawing_options(CLI::App& command, DrawingOptions& options) {
                     "Width of a --drawing (default: by --scale, in perspective 96 px an inch)")
         ->type_name("MM");
     command
+        .add_option("--sheet",
+                    options.paper,
+                    "Paper of a --drawing, which is cropped to its lines and fitted, in parallel "
+                    "views at 1, 2 or 5 times a power of ten")
+        ->type_name("A4..A0");
+    command
         .add_option("--scale",
-                    options.mm_per_unit,
-                    "Length in a --drawing of a unit of the model, in parallel views (default: 1)")
-        ->type_name("MM");
+                    options.scale,
+                    "Scale of a --drawing in parallel views, where a unit of the model counts as "
+                    "1 mm: 1:2, 5:1, or the mm of a unit (default: 1)")
+        ->type_name("N:N|MM");
 }
 
 void check_drawing_options(const DrawingOptions& options,
@@ -85,17 +164,25 @@ void check_drawing_options(const DrawingOptions& options,
     if (!options.place) {
         for (const auto& [is_asked, name] : {std::pair{options.hidden, "--hidden"},
                                              {options.sheet_width_mm.has_value(), "--sheet-width"},
-                                             {options.mm_per_unit.has_value(), "--scale"}})
+                                             {options.paper.has_value(), "--sheet"},
+                                             {options.scale.has_value(), "--scale"}})
             if (is_asked) throw core::Error(name, "there is no drawing to show it", "--drawing");
         return;
     }
     if (options.sheet_width_mm) check_sheet(*options.sheet_width_mm, "--sheet-width");
-    if (options.mm_per_unit && options.sheet_width_mm)
-        throw core::Error("--scale", "there is a --sheet-width beside it", "one of the two");
-    if (options.mm_per_unit && !(*options.mm_per_unit > 0)) {
+    for (const auto& [is_asked, name] :
+         {std::pair{options.scale.has_value(), "--scale"}, {options.paper.has_value(), "--sheet"}})
+        if (is_asked && options.sheet_width_mm)
+            throw core::Error(name, "there is a --sheet-width beside it", "one of the two");
+    if (options.scale && !asked_scale(options)) {
         throw core::Error("--scale",
-                          fmt::format("a unit cannot be {:g} mm long", *options.mm_per_unit),
-                          "a length above 0");
+                          fmt::format("'{}' is no scale", *options.scale),
+                          "1:2, 5:1, or the mm of a unit, above 0");
+    }
+    if (options.paper && core::find_named(draw::kPapers, *options.paper) == nullptr) {
+        throw core::Error("--sheet",
+                          fmt::format("there is no paper '{}'", *options.paper),
+                          core::known_names(core::names_of(draw::kPapers), *options.paper));
     }
     if (options.is_folder()) return;
     const std::size_t views = std::max({static_cast<std::size_t>(request.orbit_count.value_or(1)),
@@ -106,40 +193,20 @@ void check_drawing_options(const DrawingOptions& options,
                           fmt::format("one file has no room for {} views", views),
                           "a folder, which gets a file of each, or --view NAME");
     }
-    check_output_path(*options.place, {".svg"});
+    check_output_path(*options.place, {".svg", ".dxf"});
 }
 
 void write_drawings(truth::SceneModel& model,
-                    std::span<const scene::View> views,
+                    const harness::SceneViews& scene_views,
                     const DrawingOptions& options) {
-    const std::string& scene = model.scene().name;
+    std::span<const scene::View> views = scene_views.views;
     if (!options.is_folder()) views = views.first(1);
-    std::vector<double> widths_mm;  // all of them are fit to be drawn before one is
+    std::string up;
+    if (scene_views.has_named_views) up = fmt::format(", {} up", name(scene_views.up));
+    for (const scene::View& view : views)  // all of them are fit to be drawn before one is
+        check_view(view, options);
     for (const scene::View& view : views)
-        widths_mm.push_back(sheet_width_mm(view, options));
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        const scene::View& view = views[v];
-        const truth::DrawnLines lines = lines_of(model, view, options.hidden);
-        std::filesystem::path path = *options.place;
-        if (options.is_folder()) path /= harness::file_name(view.camera.name) + ".svg";
-        core::write_whole_file(path, draw::line_drawing(lines, scene, view, widths_mm[v]));
-        const std::string hidden =
-            options.hidden ? fmt::format(", {} hidden", lines.hidden.size()) : "";
-        const std::string scale = view.camera.is_parallel()
-                                      ? fmt::format(", {:.4g} mm a unit",
-                                                    widths_mm[v] / view.width_px * view.height_px /
-                                                        view.camera.height_world)
-                                      : "";
-        fmt::print("{} {}: {}, {:.4g} x {:.4g} mm{}, {} visible{} lines\n",
-                   scene,
-                   view.camera.name,
-                   path.string(),
-                   widths_mm[v],
-                   widths_mm[v] * view.height_px / view.width_px,
-                   scale,
-                   lines.visible.size(),
-                   hidden);
-    }
+        write_drawing(model, view, options, up);
 }
 
 }  // namespace ink::cli

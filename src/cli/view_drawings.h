@@ -13,10 +13,11 @@ namespace ink::cli {
 
 /// Which drawings `truth` writes.
 struct DrawingOptions {
-    std::optional<std::string> place;  ///< a file (.svg) of one view, or a folder
+    std::optional<std::string> place;  ///< a file (.svg, .dxf) of one view, or a folder
     bool hidden = false;
     std::optional<double> sheet_width_mm;
-    std::optional<double> mm_per_unit;  ///< of parallel views
+    std::optional<std::string> paper;  ///< "A4": cropped to the lines, and fitted
+    std::optional<std::string> scale;  ///< of parallel views: "1:2", or mm of a unit
 
     [[nodiscard]] bool is_folder() const {
         if (!place) return false;
@@ -34,9 +35,10 @@ void check_drawing_options(const DrawingOptions& options,
                            const std::string& view_name);
 
 /// Writes a drawing per view into the folder, which is there, or that of the first view into a
-/// file, with a line on stdout each. A view that is too large ends the program.
+/// file, with a line on stdout each, and one on stderr for a sheet of an odd size. A view that is
+/// too large ends the program.
 void write_drawings(truth::SceneModel& model,
-                    std::span<const scene::View> views,
+                    const harness::SceneViews& scene_views,
                     const DrawingOptions& options);
 
 }  // namespace ink::cli

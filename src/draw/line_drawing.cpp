@@ -11,8 +11,6 @@
 namespace ink::draw {
 namespace {
 
-constexpr int kDecimals = 4;
-
 // Line widths of ISO 128: a wide line is twice a narrow one.
 constexpr double kWide_mm = 0.35, kNarrow_mm = 0.18;
 // Hidden lines are narrow and grey: black ones drown a house in its rafters and furniture.
@@ -24,11 +22,11 @@ double width_of(truth::LineClass c) {
     return is_outline ? kWide_mm : kNarrow_mm;
 }
 
-std::string shape(const truth::Polyline& line, const std::string& id, double mm_per_px) {
+std::string shape(const truth::Polyline& line, const std::string& id, const Sheet& sheet) {
     std::vector<std::string> points;
     for (const truth::CurvePoint& p : line.points) {
-        points.push_back(svg_number(p.x_px * mm_per_px, kDecimals) + ',' +
-                         svg_number(p.y_px * mm_per_px, kDecimals));
+        points.push_back(svg_number(sheet.left_mm + p.x_px * sheet.mm_per_px, kSheetDecimals) +
+                         ',' + svg_number(sheet.top_mm + p.y_px * sheet.mm_per_px, kSheetDecimals));
     }
     // One that closes is joined there as at its other corners.
     const bool is_closed = points.size() > 3 && points.front() == points.back();
@@ -42,28 +40,22 @@ std::string shape(const truth::Polyline& line, const std::string& id, double mm_
 std::string group(std::span<const truth::Polyline> lines,
                   truth::LineClass line_class,
                   const std::string& id,
-                  double mm_per_px) {
+                  const Sheet& sheet) {
     std::string text;
     int count = 0;
     for (const truth::Polyline& line : lines) {
         if (line.line_class == line_class)
-            text += shape(line, fmt::format("{}-{}", id, ++count), mm_per_px);
+            text += shape(line, fmt::format("{}-{}", id, ++count), sheet);
     }
     return text;
 }
 
 }  // namespace
 
-double usual_sheet_mm(int width_px) {
-    constexpr double kMmPerInch = 25.4, kPxPerInch = 96;
-    return width_px * kMmPerInch / kPxPerInch;
-}
-
-std::string line_drawing(const truth::DrawnLines& lines,
+std::string line_drawing(const DrawnLines& lines,
                          const std::string& scene_name,
                          const scene::View& view,
-                         double width_mm) {
-    const double mm_per_px = width_mm / view.width_px;
+                         const Sheet& sheet) {
     std::string body;
     for (const truth::LineClass c : kDrawnOrder) {
         if (lines.hidden.empty()) break;
@@ -72,14 +64,14 @@ std::string line_drawing(const truth::DrawnLines& lines,
                             id,
                             kNarrow_mm,
                             kHiddenStyle,
-                            group(lines.hidden, c, id, mm_per_px));
+                            group(lines.hidden, c, id, sheet));
     }
     for (const truth::LineClass c : kDrawnOrder) {
         const std::string id(truth::name(c));
         body += fmt::format("<g id=\"{}\" stroke-width=\"{}\">\n{}</g>\n",
                             id,
                             width_of(c),
-                            group(lines.visible, c, id, mm_per_px));
+                            group(lines.visible, c, id, sheet));
     }
     return fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}mm" height="{1}mm">
@@ -88,8 +80,8 @@ std::string line_drawing(const truth::DrawnLines& lines,
 {3}</g>
 </svg>
 )",
-        svg_number(width_mm, kDecimals),
-        svg_number(view.height_px * mm_per_px, kDecimals),
+        svg_number(sheet.width_mm, kSheetDecimals),
+        svg_number(sheet.height_mm, kSheetDecimals),
         core::escape(fmt::format("{} {}", scene_name, view.camera.name)),
         body);
 }

@@ -34,6 +34,7 @@ toml::table views_of(const harness::ViewRequest& request) {
     if (request.orbit_count) views.insert("orbit", *request.orbit_count);
     if (!request.directions.empty())
         views.insert("directions", methods::array_of(core::names_of(request.directions)));
+    if (request.up) views.insert("up", name(*request.up));
     if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
     if (request.height_world) views.insert("parallel_height", *request.height_world);
     if (request.margin) views.insert("margin", *request.margin);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -50,7 +51,6 @@ void refuse_without_eye(const ViewOptions& options) {
     };
     if (!options.eyes.empty()) return;
     if (!options.targets.empty()) refuse("--target");
-    if (options.up) refuse("--up");
     if (options.fov_deg) refuse("--fov");
 }
 
@@ -66,9 +66,31 @@ void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
         if (i < options.targets.size()) {
             camera.target_world = parse_point(options.targets[i], "--target");
         }
-        if (options.up) camera.up_world = parse_direction(*options.up, "--up");
         camera.fov_y_rad = glm::radians(options.fov_deg.value_or(kFov_deg));
         request.cameras.push_back(camera);
+    }
+}
+
+/// Of cameras that are set by hand, or of views by name.
+void parse_up(const ViewOptions& options, harness::ViewRequest& request) {
+    if (!options.up) return;
+    const auto axis = std::ranges::find(harness::kUpAxisNames, *options.up);
+    const auto number = axis - harness::kUpAxisNames.begin();
+    const bool is_axis = axis != harness::kUpAxisNames.end();
+    glm::dvec3 up_world(0);
+    if (is_axis) up_world[static_cast<int>(number)] = 1;
+    if (!request.cameras.empty()) {
+        if (!is_axis) up_world = parse_direction(*options.up, "--up");
+        for (harness::CameraRequest& camera : request.cameras)
+            camera.up_world = up_world;
+    } else if (request.directions.empty()) {
+        throw core::Error("--up",
+                          "there is no --eye and no view by name, in which it would be up",
+                          "--eye X,Y,Z or --views front,top beside it");
+    } else if (!is_axis) {
+        throw core::Error("--up", fmt::format("'{}' is no axis", *options.up), "x, y, z");
+    } else {
+        request.up = static_cast<harness::UpAxis>(number);
     }
 }
 
@@ -171,6 +193,7 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     parse_cameras(options, request);
     parse_framing(options, request);
     parse_views(options.views, request);
+    parse_up(options, request);
     parse_projection_options(options, request);
     if (options.time_s && options.frame) {
         throw core::Error("--time", "there is a --frame beside it", "one of the two");

@@ -17,8 +17,8 @@ struct ViewOptions {
     std::string views;  ///< a number, "file", or names of scene::drawing_views()
     std::vector<std::string> eyes;
     std::vector<std::string> targets;
-    std::optional<std::string> up;  ///< only with eyes, as the next
-    std::optional<double> fov_deg;
+    std::optional<std::string> up;  ///< of eyes, a point; of views by name, x, y or z
+    std::optional<double> fov_deg;  ///< only with eyes
     std::string projection;  ///< of all views: "", "perspective", "parallel" or both, by commas
     std::optional<double> parallel_height;  ///< of parallel views, world units
     std::optional<double> time_s;

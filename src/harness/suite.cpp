@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -39,6 +40,18 @@ std::vector<scene::Camera> asked_cameras(const ViewRequest& request,
     return cameras;
 }
 
+/// A direction of the world with y up, where another axis is up.
+glm::dvec3 turned(const glm::dvec3& p, UpAxis up) {
+    if (up == UpAxis::x) return {p.y, -p.x, p.z};
+    if (up == UpAxis::z) return {p.x, -p.z, p.y};
+    return p;
+}
+
+SceneViews load_scene_views(const std::string& what, ViewRequest request) {
+    request.up = up_of(request, what);
+    return make_scene_views(load_scene(what, request.model, request.limits), request);
+}
+
 /// Cameras under the projections that are asked for.
 std::vector<scene::Camera> under_projections(const std::vector<scene::Camera>& cameras,
                                              const ViewRequest& request,
@@ -67,8 +80,11 @@ std::vector<scene::Camera> orbit_of(const scene::Scene& scene, ViewRequest reque
     const scene::Scene& framed = part ? *part : scene;
     const scene::Sphere bounds = scene::bounding_sphere(framed);
     std::vector<scene::Camera> cameras;
-    for (const scene::NamedDirection& direction : request.directions)
+    for (scene::NamedDirection direction : request.directions) {
+        for (glm::dvec3* p : {&direction.outward_world, &direction.up_world})
+            *p = turned(*p, request.up.value_or(UpAxis::y));
         cameras.push_back(scene::camera_round(bounds, direction, aspect));
+    }
     if (cameras.empty()) {
         const int count = request.orbit_count.value_or(kModelViews);
         cameras = scene::orbit_cameras(bounds, count, aspect);
@@ -182,6 +198,14 @@ scene::Camera make_camera(const CameraRequest& request,
     return camera;
 }
 
+UpAxis up_of(const ViewRequest& request, const std::string& what) {
+    if (request.up) return *request.up;
+    std::string ending = std::filesystem::path(what).extension().string();
+    for (char& c : ending)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".stl" || ending == ".3mf" ? UpAxis::z : UpAxis::y;
+}
+
 void check_size(int width_px, int height_px) {
     const bool is_good = width_px >= 1 && height_px >= 1 && width_px <= kMaxSide_px &&
                          height_px <= kMaxSide_px &&
@@ -219,6 +243,8 @@ scene::Scene load_scene(const std::string& what,
 SceneViews make_scene_views(scene::Scene scene, const ViewRequest& request) {
     check_size(request.width_px, request.height_px);
     SceneViews scene_views{std::move(scene), {}};
+    scene_views.up = request.up.value_or(UpAxis::y);
+    scene_views.has_named_views = request.cameras.empty() && !request.directions.empty();
     const bool is_own = is_catalogue_name(scene_views.scene.name);
     pose_as_asked(scene_views.scene, request);
     for (scene::Camera& camera : choose_cameras(scene_views.scene, request, is_own)) {
@@ -234,8 +260,7 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
     std::vector<SceneViews> scenes;
     std::set<std::string> taken;
     for (const std::string& name : all) {
-        SceneViews scene_views =
-            make_scene_views(load_scene(name, request.model, request.limits), request);
+        SceneViews scene_views = load_scene_views(name, request);
         say_what_is_listed(request.listed, name, scene_views.scene);
         const std::string base = scene_views.scene.name;
         for (int n = 2; !taken.insert(scene_views.scene.name).second; ++n) {
@@ -249,8 +274,7 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
 SceneViews load_one_view(const std::string& what,
                          const std::string& view_name,
                          const ViewRequest& request) {
-    SceneViews scene_views =
-        make_scene_views(load_scene(what, request.model, request.limits), request);
+    SceneViews scene_views = load_scene_views(what, request);
     std::vector<std::string> names;
     for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "import/import.h"
@@ -20,6 +22,13 @@ struct CameraRequest {
     std::optional<double> fov_y_rad;          ///< of a pinhole; default: 40 degrees
     std::optional<double> height_world = {};  ///< seen by a parallel camera, instead
 };
+
+/// Which axis of a file's coordinates stands upright in views by name: "x", "y" or "z".
+enum class UpAxis { x, y, z };
+inline constexpr std::array<std::string_view, 3> kUpAxisNames{"x", "y", "z"};
+[[nodiscard]] constexpr std::string_view name(UpAxis up) {
+    return kUpAxisNames[static_cast<std::size_t>(up)];
+}
 
 /// What the frame of a view round a scene is fitted to.
 enum class Fit {
@@ -40,6 +49,7 @@ struct ViewRequest {
     int height_px = 720;
     std::optional<int> orbit_count = {};  ///< this many round the scene, instead of its own views
     std::vector<scene::NamedDirection> directions = {};  ///< these round the scene instead
+    std::optional<UpAxis> up = {};  ///< in `directions`; default: z of .stl and .3mf files, else y
     /// How views round a scene are framed; any of these asks for such views, three unless said.
     std::optional<Fit> fit = {};        ///< default: the sphere
     std::optional<double> margin = {};  ///< of the frame's size on either side, of Fit::box; .04
@@ -62,6 +72,8 @@ struct ViewRequest {
 struct SceneViews {
     scene::Scene scene;
     std::vector<scene::View> views;
+    UpAxis up = UpAxis::y;         ///< in views by name, whether these are such or not
+    bool has_named_views = false;  ///< views by name are what was asked for
 };
 
 /// Loads what `what` names: a catalogue scene, or a model file.
@@ -73,6 +85,11 @@ struct SceneViews {
                                       const import::ModelChoice& choice = {},
                                       const import::ImportLimits& limits = {});
 
+/// The axis that stands upright in views by name of what `what` names: as asked, else as the format
+/// of the file has it. Formats of CAD and printing that cannot say so themselves (.stl, .3mf) have
+/// z up, all others y.
+[[nodiscard]] UpAxis up_of(const ViewRequest& request, const std::string& what);
+
 /// The camera that `request` asks for on a scene of that origin (Scene::origin) and ball; without a
 /// name. Throws core::Error for a field of view outside 1..170 degrees, and as scene::look_at does.
 [[nodiscard]] scene::Camera make_camera(const CameraRequest& request,
@@ -81,7 +98,10 @@ struct SceneViews {
 
 /// The views of `scene` that `request` asks for.
 ///
-/// Without a request: a catalogue scene's own, a model's three from all around. Two scenes of one
+/// Without a request: a catalogue scene's own, a model's three from all around. Views by name are
+/// turned with the axis that is up, as Collada turns them: with z up, front looks from -y and right
+/// from +x; with x up, front from +z and right from -y. Without `up`
+/// it is y here. Two scenes of one
 /// name in a suite are the caller's to rename; one that is posed is called with its frame or time
 /// (`knight.frame12`, `gear.1.5s`). Throws core::Error for a size outside 1..16384 a side or over
 /// 2^27 pixels, a field of view outside 1..170 degrees, file cameras that are not there, a framed

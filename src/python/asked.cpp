@@ -66,6 +66,7 @@ struct ViewKeyword {
 constexpr std::array kViewKeywords = {
     ViewKeyword{"size", [](ViewOptions& o, const py::handle& v) { o.size = joined(v, "x"); }},
     ViewKeyword{"views", [](ViewOptions& o, const py::handle& v) { o.views = text_of(v); }},
+    ViewKeyword{"up", [](ViewOptions& o, const py::handle& v) { o.up = text_of(v); }},
     ViewKeyword{"projection",
                 [](ViewOptions& o, const py::handle& v) {
                     const bool is_list = !py::isinstance<py::str>(v);
@@ -143,6 +144,8 @@ harness::ViewRequest request_of(const std::vector<Camera>& cameras,
                                 bool has_size,
                                 const ViewOptions& options) {
     if (cameras.empty()) return view_request(options);
+    if (options.up)
+        throw core::Error("up", "each Camera has its own", "up for views by name, without cameras");
     harness::ViewRequest all;
     for (const Camera& camera : cameras) {
         ViewOptions with_camera = options;

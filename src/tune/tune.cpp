@@ -219,10 +219,10 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
     begin_folder(options, space, scenes);
 
     TuneResult result;
-    for (const auto& [scene, views] : train)
-        result.train_scenes.push_back({scene.name, scene::Split::train, scene.kind});
-    for (const auto& [scene, views] : heldout)
-        result.heldout_scenes.push_back({scene.name, scene.split, scene.kind});
+    for (const auto& of : train)
+        result.train_scenes.push_back({of.scene.name, scene::Split::train, of.scene.kind});
+    for (const auto& of : heldout)
+        result.heldout_scenes.push_back({of.scene.name, of.scene.split, of.scene.kind});
     TuneBench bench(train, options.trace, options.threads);
     if (core::is_interrupted()) {
         result.is_interrupted = true;

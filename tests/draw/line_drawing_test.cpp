@@ -29,8 +29,8 @@ scene::View view() {
     return view;
 }
 
-truth::DrawnLines square() {
-    truth::DrawnLines lines;
+DrawnLines square() {
+    DrawnLines lines;
     lines.visible = {
         line(LineClass::crease, {{0, 0, 1}, {100, 0, 1}}),
         line(LineClass::contour, {{0, 0, 1}, {200, 0, 1}, {200, 40, 1}, {0, 40, 1}, {0, 0, 1}}),
@@ -47,7 +47,7 @@ std::vector<std::string> all_of(const std::string& text, const std::string& patt
 }
 
 TEST(LineDrawing, HasAGroupPerClassInMillimetres) {
-    const std::string svg = line_drawing(square(), "a <b> & c", view(), 100);
+    const std::string svg = line_drawing(square(), "a <b> & c", view(), image_sheet(view(), 100));
     EXPECT_EQ(report::nesting_error(svg), "");
     EXPECT_THAT(svg, HasSubstr(R"(viewBox="0 0 100 75" width="100mm" height="75mm")"));
     EXPECT_THAT(svg, HasSubstr("<title>a &lt;b&gt; &amp; c front</title>"));
@@ -60,9 +60,9 @@ TEST(LineDrawing, HasAGroupPerClassInMillimetres) {
 }
 
 TEST(LineDrawing, DashesHiddenLinesBelowTheOthers) {
-    truth::DrawnLines lines = square();
+    DrawnLines lines = square();
     lines.hidden = {line(LineClass::crease, {{4, 0, 1}, {8, 0, 1}})};
-    const std::string svg = line_drawing(lines, "cube", view(), 100);
+    const std::string svg = line_drawing(lines, "cube", view(), image_sheet(view(), 100));
     EXPECT_EQ(report::nesting_error(svg), "");
     const auto groups = all_of(svg, "<g id=\"([a-z-]+)\"");
     ASSERT_EQ(groups.size(), 10U);
@@ -75,7 +75,8 @@ TEST(LineDrawing, DashesHiddenLinesBelowTheOthers) {
 }
 
 TEST(LineDrawing, OfNothingIsAnEmptySheet) {
-    const std::string svg = line_drawing({}, "nothing", view(), usual_sheet_mm(400));
+    const std::string svg =
+        line_drawing({}, "nothing", view(), image_sheet(view(), usual_sheet_mm(400)));
     EXPECT_EQ(report::nesting_error(svg), "");
     EXPECT_THAT(svg, HasSubstr(R"(width="105.8333mm" height="79.375mm")"));
     EXPECT_THAT(svg, Not(HasSubstr("points")));

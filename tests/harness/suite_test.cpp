@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 
 #include "catalogue/catalogue.h"
@@ -59,6 +60,51 @@ TEST(SceneViews, NamedViewsLookWhereTheirNamesSay) {
         EXPECT_EQ(camera.view_from_world * back, z) << camera.name;
         EXPECT_NEAR(glm::dot(out, back), 1, 1e-12) << camera.name;
     }
+}
+
+TEST(SceneViews, NamedViewsTurnWithTheAxisThatIsUp) {
+    const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    using Axes =
+        std::map<std::string, std::array<glm::dvec3, 3>>;  // right, up and back on the page
+    const std::map<UpAxis, Axes> expected = {
+        {UpAxis::z, {{"front", {x, z, -y}}, {"right", {y, z, x}}, {"top", {x, y, z}}}},
+        {UpAxis::x, {{"front", {-y, x, z}}, {"right", {-z, x, -y}}, {"top", {-y, -z, x}}}}};
+    ViewRequest request;
+    request.directions.assign(scene::drawing_views().begin(), scene::drawing_views().end());
+    for (const auto& [up, axes] : expected) {
+        request.up = up;
+        const SceneViews scene_views = make_scene_views(model(), request);
+        EXPECT_EQ(scene_views.up, up);
+        EXPECT_TRUE(scene_views.has_named_views);
+        for (const scene::View& view : scene_views.views) {
+            const auto found = axes.find(view.camera.name);
+            if (found == axes.end()) continue;
+            const glm::dmat3 world_from_page = glm::transpose(view.camera.view_from_world);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_EQ(world_from_page[i], found->second[static_cast<std::size_t>(i)])
+                    << name(up) << ' ' << view.camera.name << ' ' << i;
+        }
+    }
+}
+
+TEST(SceneViews, ViewsFromAllAroundKnowNoUp) {
+    ViewRequest request;
+    const SceneViews plain = make_scene_views(model(), request);
+    request.up = UpAxis::z;
+    const SceneViews turned = make_scene_views(model(), request);
+    EXPECT_FALSE(turned.has_named_views);
+    for (std::size_t v = 0; v < plain.views.size(); ++v)
+        EXPECT_EQ(plain.views[v].camera.eye_world, turned.views[v].camera.eye_world);
+}
+
+TEST(UpAxis, IsAsAskedElseAsTheFormatHasIt) {
+    ViewRequest request;
+    for (const char* z_up : {"part.stl", "folder.obj/PART.STL", "plate.3mf"})
+        EXPECT_EQ(up_of(request, z_up), UpAxis::z) << z_up;
+    for (const char* y_up : {"bracket", "part.obj", "stl", "part.stl.ply", "a.glb", ""})
+        EXPECT_EQ(up_of(request, y_up), UpAxis::y) << y_up;
+    request.up = UpAxis::x;
+    EXPECT_EQ(up_of(request, "part.stl"), UpAxis::x);
 }
 
 TEST(SceneViews, NamedViewsAreFramedAsAsked) {

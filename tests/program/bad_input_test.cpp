@@ -201,6 +201,9 @@ TEST(BadValue, Camera) {
         expect({"--eye", "1,2,3", "--up", up}, "length is 0");
     expect({"--target", "1,2,3"}, "--target: there is no --eye");
     expect({"--up", "0,0,1"}, "--up: there is no --eye");
+    expect({"--views", "file", "--up", "z"}, "--up: there is no --eye");
+    for (const char* up : {"0,0,1", "w", "", "Z", "-z"})
+        expect({"--views", "top", "--up", up}, "is no axis; accepted: x, y, z");
     expect({"--fov", "30"}, "--fov: there is no --eye");
     expect({"--views", "2", "--up", "0,0,1"}, "--up: there is no --eye");
     for (const char* fov : {"0", "-40", "180", "nan", "wide"})

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -381,32 +382,103 @@ TEST(Truth, WritesLayersAndCurvesByTheEndingOfTheName) {
 TEST(Truth, DrawsASheetPerView) {
     const Desk desk;
     desk.write("cube.obj", kCubeObj);
+    const auto done = [&](const Words& words) {  // such sheets are warned of
+        const Outcome outcome = desk.run(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.out;
+    };
     const Words cube = "truth cube.obj --size 160x90";
-    const std::string told =
-        expect_done(desk, cube + "--views front,iso --drawing sheets --hidden --threads 1");
+    const std::string told = done(cube + "--views front,iso --drawing sheets --hidden --threads 1");
     EXPECT_THAT(told,
-                ContainsRegex("cube.obj iso: sheets/iso.svg, [0-9.]+ x [0-9.]+ mm, 1 mm a unit, "
-                              "4 visible, 3 hidden lines"));
+                ContainsRegex("cube.obj iso: sheets/iso.svg, [0-9.]+ x [0-9.]+ mm, scale 1:1 "
+                              "\\(1 mm a unit\\), y up, 4 visible, 3 hidden lines"));
     EXPECT_THAT(told, Not(HasSubstr("behind contours"))) << "lines alone";
     const std::string iso = desk.read("sheets/iso.svg");
     EXPECT_EQ(report::nesting_error(iso), "");
     EXPECT_THAT(iso, AllOf(HasSubstr(R"(width="3.3424mm")"), HasSubstr("hidden-crease-3")));
-    EXPECT_THAT(desk.read("sheets/front.svg"), HasSubstr(R"(id="contour-1")"));
+    EXPECT_THAT(desk.read("sheets/front.svg"),
+                AllOf(HasSubstr(R"(id="contour-1")"), Not(HasSubstr("hidden-crease-1"))))
+        << "what lies behind the outline is not dashed over it";
 
-    expect_done(desk, cube + "--views iso --drawing one.svg --hidden --threads 2");
+    done(cube + "--views iso --drawing one.svg --hidden --threads 2");
     EXPECT_EQ(desk.read("one.svg"), iso);
     const std::string both =
-        expect_done(desk, cube + "--views iso -o a.png --drawing wide.svg --sheet-width 90");
+        done(cube + "--views iso -o a.png --drawing wide.svg --sheet-width 90");
     EXPECT_THAT(both, AllOf(HasSubstr("wide.svg"), HasSubstr("behind contours")));
-    const std::string ten_times =
-        expect_done(desk, cube + "--views iso --drawing ten.svg --scale 10");
-    EXPECT_THAT(ten_times, HasSubstr("10 mm a unit"));
+    const std::string ten_times = done(cube + "--views iso --drawing ten.svg --scale 10");
+    EXPECT_THAT(ten_times, HasSubstr("scale 10:1 (10 mm a unit)"));
+    done(cube + "--views iso --drawing ratio.svg --scale 10:1");
+    EXPECT_EQ(desk.read("ratio.svg"), desk.read("ten.svg"));
     EXPECT_THAT(desk.read("ten.svg"), HasSubstr(R"(width="33.4235mm")"));
-    EXPECT_THAT(expect_done(desk, cube + "--views 3 --view view1 --drawing view1.svg"),
-                Not(HasSubstr("a unit")))
+    EXPECT_THAT(done(cube + "--views 3 --view view1 --drawing view1.svg"), Not(HasSubstr("a unit")))
         << "in perspective";
     EXPECT_THAT(desk.read("view1.svg"), HasSubstr(R"(width="42.3333mm")"));
     EXPECT_THAT(desk.read("wide.svg"), AllOf(HasSubstr("90mm"), Not(HasSubstr("hidden"))));
+}
+
+TEST(Truth, FitsDrawingsToPaperAndWarnsOfOddSheets) {
+    const Desk desk;
+    desk.write("cube.obj", kCubeObj);
+    const Words cube = "truth cube.obj --size 160x90 --views front --drawing front.svg";
+    const Outcome fitted = desk.run(cube + "--sheet A4");
+    EXPECT_THAT(fitted.out,
+                HasSubstr("front.svg, 210 x 297 mm, scale 100:1 (100 mm a unit), y up, 1 vis"));
+    EXPECT_EQ(fitted.err, "");
+    EXPECT_THAT(desk.read("front.svg"), HasSubstr("55,98.5 "));
+    EXPECT_THAT(desk.run(cube).err,
+                HasSubstr("front: its sheet of 3.342 x 1.88 mm is smaller than"));
+    EXPECT_THAT(desk.run(cube + "--scale 1000:1").err, HasSubstr("is larger than A0"));
+    expect_done(desk, cube + "--drawing front.dxf --sheet A3");
+    EXPECT_THAT(desk.read("front.dxf"), AllOf(HasSubstr("AC1009"), HasSubstr("\nCONTOUR\n")));
+}
+
+TEST(Truth, ViewsByNameStandUprightByAnAxis) {
+    const Desk desk;
+    // 1 by 2 by 3: its front has 1 by 3 with z up, 1 by 2 with y up.
+    std::string stl = "solid\n", obj;
+    const int corners[8][3] = {
+        {0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 3}, {1, 0, 3}, {1, 2, 3}, {0, 2, 3}};
+    const int faces[12][3] = {{0, 2, 1},
+                              {0, 3, 2},
+                              {4, 5, 6},
+                              {4, 6, 7},
+                              {0, 1, 5},
+                              {0, 5, 4},
+                              {2, 3, 7},
+                              {2, 7, 6},
+                              {0, 4, 7},
+                              {0, 7, 3},
+                              {1, 2, 6},
+                              {1, 6, 5}};
+    for (const auto& p : corners)
+        obj += fmt::format("v {} {} {}\n", p[0], p[1], p[2]);
+    for (const auto& face : faces) {
+        stl += "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : face)
+            stl += fmt::format("vertex {}\n", fmt::join(corners[corner], " "));
+        stl += "endloop\nendfacet\n";
+        obj += fmt::format("f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+    }
+    desk.write("box.stl", stl + "endsolid\n");
+    desk.write("box.obj", obj);
+    const auto front = [&](const std::string& words) {
+        const Outcome run =
+            desk.run("truth " + words +
+                     " --size 64x64 --views front --drawing front.svg --sheet A4 --scale 10");
+        return run.err + run.out + desk.read("front.svg");
+    };
+    const auto is_high = [](const std::string& axis, const char* low, const char* high) {
+        return AllOf(HasSubstr(", " + axis + " up,"), HasSubstr(low), HasSubstr(high));
+    };
+    EXPECT_THAT(front("box.stl"), is_high("z", "100,133.5", "110,163.5"));
+    EXPECT_THAT(front("box.stl --up y"), is_high("y", "100,138.5", "110,158.5"));
+    EXPECT_THAT(front("box.obj"), is_high("y", "100,138.5", "110,158.5"));
+    EXPECT_THAT(front("box.obj --up z"), is_high("z", "100,133.5", "110,163.5"));
+    EXPECT_THAT(front("box.obj --up x"), is_high("x", "95,143.5", "115,153.5"));
+    EXPECT_THAT(expect_done(desk, "explain box.stl --size 16x16"), HasSubstr("by name: z (--up)"));
+    EXPECT_THAT(expect_done(desk, "explain box.obj --size 16x16"), HasSubstr("by name: y (--up)"));
+    EXPECT_THAT(desk.run("compare box.stl --views top --size 32x32 --methods z_edge --quick").err,
+                HasSubstr("box.stl: z is up"));
 }
 
 TEST(Truth, RefusesDrawingsThatCannotBe) {
@@ -419,12 +491,17 @@ TEST(Truth, RefusesDrawingsThatCannotBe) {
     expect("--scale 8", "--scale: there is no drawing");
     expect("--drawing a.svg --scale 2", "is in perspective");
     expect("--drawing a.svg --views iso --scale 2 --sheet-width 80", "--sheet-width beside it");
-    expect("--drawing a.svg --views iso --scale 0", "a unit cannot be 0 mm long");
+    for (const char* scale : {"0", "1:0", "-2", "1:", "half"})
+        expect(Words("--drawing a.svg --views iso --scale") + Words(scale), "is no scale");
+    expect("--sheet A4", "--sheet: there is no drawing");
+    expect("--drawing a.svg --views iso --sheet A5", "A4, A3, A2, A1, A0");
+    expect("--drawing a.svg --sheet A4 --sheet-width 80", "--sheet-width beside it");
+    expect("--drawing a.svg --views iso --sheet A4 --scale 500", "at 500 view 'iso' does not fit");
     expect("--drawing a.svg --sheet-width 0", "no sheet is 0 mm wide");
     expect("--drawing a.svg --views top,iso", "one file has no room for 2 views");
     expect("--drawing a.svg --views 3", "one file has no room for 3 views");
     expect("--drawing none/a.svg", "its folder does not exist");
-    expect("--drawing a.png", "a name that ends in .svg");
+    expect("--drawing a.png", "a name that ends in .svg or .dxf");
     expect_refused(desk, "truth missing.obj --drawing sheets", {"missing.obj"});
 }
 

@@ -89,7 +89,7 @@ void run_draw(const DrawArgs& args) {
     }
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "draw"), args.view, view_request(args.views));
-    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    print_notes(scene_views);
     if (!args.layer.empty()) return write_layer(args, scene_views, config, options);
     const draw::Drawing drawing = draw::make_drawing(scene_views, config, options);
     if (path.extension() == ".exr") {

@@ -77,10 +77,9 @@ void run_explain(const ExplainArgs& args) {
     methods::follow_crease(args.crease_deg, configs);
     const harness::ViewRequest request = view_request(args.views);
     const std::string scene = one_scene(args.scene, "explain");
-    const harness::SceneViews scene_views =
-        args.view.empty()
-            ? harness::make_scene_views(harness::load_scene(scene, request.model), request)
-            : harness::load_one_view(scene, args.view, request);
+    const harness::SceneViews scene_views = args.view.empty()
+                                                ? harness::load_scenes({scene}, request).front()
+                                                : harness::load_one_view(scene, args.view, request);
     const draw::Explanation explanation = draw::explain(scene_views, configs, args.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);

@@ -90,7 +90,7 @@ void run_export(const ExportArgs& args) {
     harness::make_out_folder(args.out);
     std::string table = "scene,view,width,height,folder\n";
     for (const harness::SceneViews& scene_views : scenes) {
-        print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+        print_notes(scene_views);
         table += export_scene(args, scene_views, trace);
     }
     core::write_whole_file(fs::path(args.out) / "views.csv", table);

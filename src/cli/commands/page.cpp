@@ -31,7 +31,7 @@ void run_page(PageArgs args) {
     if (!args.run.empty()) run = experiment::read_run(args.run);
     const harness::SceneViews scene_views =
         harness::load_scenes({name}, view_request(args.views)).front();
-    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    print_notes(scene_views);
     if (args.file.empty()) {
         const std::filesystem::path file =
             args.run / report::live_page_path(scene_views.scene.name);

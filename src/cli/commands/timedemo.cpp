@@ -76,7 +76,7 @@ void run_timedemo(const TimedemoArgs& args) {
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
     import::check_motion_is_read(scene_views.scene, "timedemo");
-    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    print_notes(scene_views);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const char* what_is_left = "nothing is written";
     const core::InterruptGuard guard(what_is_left);

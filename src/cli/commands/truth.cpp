@@ -63,10 +63,10 @@ harness::SceneViews asked_views(const TruthArgs& args, const harness::ViewReques
 void draw_alone(const TruthArgs& args,
                 const harness::SceneViews& scene_views,
                 truth::TruthOptions options) {
-    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    print_notes(scene_views);
     harness::report_progress(options);
     truth::SceneModel model(scene_views.scene, options);
-    write_drawings(model, scene_views.views, args.drawing);
+    write_drawings(model, scene_views, args.drawing);
 }
 
 /// In the format that the name asks for.
@@ -137,6 +137,7 @@ std::string command_of_truth(const CLI::App& command) {
                              "--disagreement",
                              "--drawing",
                              "--hidden",
+                             "--sheet",
                              "--sheet-width",
                              "--scale",
                              "--threads",
@@ -169,7 +170,7 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     const draw::TruthOrigin origin{traced.scene_views, options.truth, command_of_truth(command)};
     if (args.file) write_truth(traced, origin, *args.file);
     if (args.svg) write_truth(traced, origin, *args.svg);
-    if (args.drawing.place) write_drawings(traced.model, traced.scene_views.views, args.drawing);
+    if (args.drawing.place) write_drawings(traced.model, traced.scene_views, args.drawing);
     if (args.image) draw::write_truth_image(traced.truth.counted_labels(), *args.image);
     if (args.sampled) draw::write_responses(traced.truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
@@ -224,7 +225,7 @@ void add_truth_command(CLI::App& app) {
         "Example: inkbench truth staircase -o truth.png --image lines.png\n"
         "The .png has a few kB, and says how it wants to be scored, as the .exr does:\n"
         "inkbench score drawn.png truth.png\n"
-        "inkbench truth bracket --views front,top,iso --drawing sheets --hidden\n"
+        "inkbench truth bracket --views front,top,iso --drawing sheets --hidden --sheet A4\n"
         "With --intersections above_crease, those below the crease angle are 7 too, as in "
         "compare.\n"
         "Exit codes: 0 done, 1 the view is too large, or with --crosscheck: agreement below 99.9 % "

@@ -174,7 +174,7 @@ void run_tune(const TuneArgs& args, const std::string& command) {
         tune::add_training_views(scene_views, request, args.more_views);
     add_unseen(args, request, scenes, options);
     for (const harness::SceneViews& scene_views : scenes)
-        print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+        print_notes(scene_views);
     const std::string what_is_left =
         fmt::format("the finished evaluations are in {}, and the same command goes on from there",
                     (options.out / "evaluations.csv.part").string());

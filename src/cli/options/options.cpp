@@ -120,8 +120,12 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
                           options.targets,
                           "Point looked at, one per --eye (default: the scene's centre)",
                           "X,Y,Z");
-    command.add_option("--up", options.up, "Up direction, with --eye (default: 0,1,0)")
-        ->type_name("X,Y,Z");
+    command
+        .add_option("--up",
+                    options.up,
+                    "What is up: with --eye a direction, in views by name an axis (default: y, but "
+                    "z for views by name of .stl and .3mf files)")
+        ->type_name("x|y|z|X,Y,Z");
     command
         .add_option(
             "--fov",

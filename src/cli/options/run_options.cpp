@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "cli/options/method_options.h"
+#include "cli/place.h"
 #include "cli/run_result.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
@@ -92,6 +93,13 @@ std::string run_status(const experiment::Plan& plan, const fs::path& out) {
 }
 
 constexpr const char* kGoesOn = "the same command goes on";
+
+/// Says of which scenes views by name have another axis up than y.
+void say_up(const experiment::Experiment& experiment) {
+    if (experiment.view_request.directions.empty()) return;
+    for (const std::string& scene : experiment.scenes)
+        print_up(scene, harness::up_of(experiment.view_request, scene));
+}
 
 /// At once, also into a pipe: whoever waits wants to know how long.
 void say(const std::string& line) {
@@ -190,6 +198,7 @@ void run_to_end(const CLI::App& command,
         fmt::print("{}", run_status(plan, run.out));
         return;
     }
+    say_up(experiment);
     const core::InterruptGuard guard(kGoesOn);
     const experiment::RunOutcome outcome = run_experiment(plan, run);
     if (run.shard.is_all()) {
