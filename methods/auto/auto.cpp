@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/trigonometric.hpp>
 #include <memory>
+#include <optional>
 
 #include "buffers/surface_inputs.h"
 #include "methods/auto/auto_plan.h"
@@ -46,22 +47,34 @@ class Auto : public method::Method {
     explicit Auto(const Params& params) : params_(params) { (void)choose(scene::Scene{}); }
 
     void prepare(const scene::PreparedScene& scene) override {
+        start_ = scene->animation ? std::optional<scene::Scene>(scene) : std::nullopt;
+        look_at(scene);
         (void)choose(scene);
+        forget_view();
         chosen_->prepare(scene);
     }
-    /// Plans anew if anything moved: a fold may have become a crease.
+    /// Plans anew if anything moved: a fold may have become a crease. Codes stay those of the
+    /// start, whatever was drawn on the way.
     void pose(const scene::PreparedScene& scene) override {
-        if (scene.hash() != planned_hash_ && choose(scene)) chosen_->prepare(scene);
+        look_at(scene);
+        if (scene.hash() != planned_hash_ && choose(scene)) {
+            forget_view();
+            prepare_from_start(*chosen_, scene);
+        }
         chosen_->pose(scene);
+        if (for_cuts_) for_cuts_->pose(scene);
     }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
-        chosen_->draw(frame, out);
+        drawn_ = &method_for(frame.view.camera);
+        drawn_->draw(frame, out);
     }
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return chosen_->layers(frame);
+        return method_for(frame.view.camera).layers(frame);
     }
     [[nodiscard]] int bytes_per_px() const override { return chosen_->bytes_per_px(); }
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return chosen_->skip_counts(); }
+    [[nodiscard]] raster::SkipCounts skip_counts() const override {
+        return drawn_ ? drawn_->skip_counts() : raster::SkipCounts{};
+    }
     [[nodiscard]] method::Cost cost() const override { return chosen_->cost(); }
     [[nodiscard]] std::vector<method::PlanLine> plan() const override { return plan_.lines; }
 
@@ -76,15 +89,47 @@ class Auto : public method::Method {
         plan_ = plan_scene(*statistics, params_.times_ids());
         if (plan_.method == before) return false;
         const auto all = table().write(params_);
-        chosen_ =
-            find_method(plan_.method)
-                .make({{"crease_deg", all.at("crease_deg")}, {"threshold", all.at("threshold")}});
+        settings_ = {{"crease_deg", all.at("crease_deg")}, {"threshold", all.at("threshold")}};
+        chosen_ = find_method(plan_.method).make(settings_);
         return true;
+    }
+    void look_at(const scene::PreparedScene& scene) {
+        scene_ = &static_cast<const scene::Scene&>(scene);
+        bounds_ = scene.bounds();
+    }
+    void forget_view() {
+        for_cuts_ = nullptr;
+        drawn_ = nullptr;
+    }
+    void prepare_from_start(method::Method& method, const scene::PreparedScene& scene) const {
+        if (start_) return method.prepare(*start_);
+        method.prepare(scene);
+    }
+    /// Labels draw the near plane's cut, which is no line: where it may be seen, lines are looked
+    /// up.
+    [[nodiscard]] method::Method& method_for(const scene::Camera& camera) {
+        const double depth =
+            -(camera.view_from_world * (bounds_.center_world - camera.eye_world)).z;
+        // Fitted, the near plane touches the ball, but for rounding.
+        const bool is_cut = depth - bounds_.radius < camera.near * (1 - 1e-6);
+        if (!is_cut || scene_ == nullptr || plan_.method != "label8") return *chosen_;
+        if (!for_cuts_) {
+            for_cuts_ = find_method("surface_lookup").make(settings_);
+            prepare_from_start(*for_cuts_, *scene_);
+            for_cuts_->pose(*scene_);
+        }
+        return *for_cuts_;
     }
 
     Params params_;
     ScenePlan plan_;
+    core::ParamValues settings_;
+    const scene::Scene* scene_ = nullptr;
+    scene::Sphere bounds_;
+    std::optional<scene::Scene> start_;  ///< of a scene that moves: as it was prepared
     std::unique_ptr<method::Method> chosen_;
+    std::unique_ptr<method::Method> for_cuts_;  ///< once such a view was drawn
+    method::Method* drawn_ = nullptr;           ///< what drew last
     std::uint64_t planned_hash_ = 0;
 };
 

@@ -44,7 +44,9 @@ ScenePlan choose(const scene::SceneStatistics& s, double price) {
     if (const std::string why = why_labels(s); !why.empty()) {
         return {"label8",
                 {{"label8", why},
-                 {"no distance over the surface, no look-up", "labels differ across every line"}}};
+                 {"no distance over the surface, no look-up", "labels differ across every line"},
+                 {"surface_lookup from inside",
+                  "where the near plane cuts the scene, labels would draw the cut"}}};
     }
     const double lookup = lookup_price(s);
     const std::string predicted =

@@ -31,7 +31,8 @@ class SideLookup {
                  .has_corners = samples == buffers::Samples::corner,
                  .face_bits = pass.rule() == nullptr ? kNoNeighbour : LookupWord::kFaceOfCoded,
                  .faces = screen_.mesh().faces,
-                 .facing = screen_.facing()},
+                 .facing = screen_.facing(),
+                 .is_cut = screen_.is_cut()},
           rule_(pass.rule()),
           classes_(classes) {}
 

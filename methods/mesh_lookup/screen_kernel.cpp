@@ -15,16 +15,19 @@ HWY_BEFORE_NAMESPACE();
 namespace ink::methods::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void project(std::span<const glm::dvec3> p_world,
+bool project(std::span<const glm::dvec3> p_world,
              const raster::ViewTransform& transform,
              double near,
              std::span<double> q,
              std::span<glm::ivec2> places) {
+    bool reaches_near = false;
     const auto one_by_one = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const glm::dvec3 p_clip = transform.to_clip(p_world[i]);
             q[i] = 0;
-            places[i] = glm::ivec2(kOffScreen);
+            const bool is_before = p_clip.z < near;
+            places[i] = {kOffScreen, is_before ? kBeforeNear : kFarOut};
+            reaches_near |= is_before;
             if (raster::outcode(p_clip, near) != raster::kInside) continue;
             const raster::ScreenVertex at = raster::to_screen(p_clip);
             q[i] = at.q;
@@ -61,6 +64,7 @@ void project(std::span<const glm::dvec3> p_world,
         hn::StoreInterleaved2(snapped(x_px), snapped(y_px), d_place, &places[i].x);
     }
     one_by_one(i, p_world.size());
+    return reaches_near;
 }
 
 void facing_by_planes(const LookupMesh& mesh,
@@ -112,12 +116,12 @@ HWY_EXPORT(facing_by_planes);
 
 }  // namespace
 
-void to_screen(std::span<const glm::dvec3> p_world,
+bool to_screen(std::span<const glm::dvec3> p_world,
                const raster::ViewTransform& transform,
                double near,
                std::span<double> q,
                std::span<glm::ivec2> places) {
-    HWY_DYNAMIC_DISPATCH(project)(p_world, transform, near, q, places);
+    return HWY_DYNAMIC_DISPATCH(project)(p_world, transform, near, q, places);
 }
 
 void find_facing(const LookupMesh& mesh,

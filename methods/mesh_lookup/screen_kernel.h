@@ -10,12 +10,14 @@
 
 namespace ink::methods {
 
-/// x of what cannot be put on the screen: behind the near plane, or far out.
+/// x of what cannot be put on the screen; its y says why.
 inline constexpr std::int32_t kOffScreen = INT32_MIN;
+inline constexpr std::int32_t kBeforeNear = 0;
+inline constexpr std::int32_t kFarOut = 1;
 
 /// Takes points to the screen as the rasterizer does: 1/w, and the place in 1/256 px. All spans
-/// have one size. The same on every SIMD target.
-void to_screen(std::span<const glm::dvec3> p_world,
+/// have one size. Returns whether some lie before the near plane. The same on every SIMD target.
+bool to_screen(std::span<const glm::dvec3> p_world,
                const raster::ViewTransform& transform,
                double near,
                std::span<double> q,

@@ -1,6 +1,7 @@
 #include "methods/mesh_lookup/screen_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -44,16 +45,39 @@ void ScreenMesh::see(const LookupMesh& mesh,
     q_.resize(mesh.p_world.size());
     places_.resize(mesh.p_world.size());
     facing_.resize(mesh.faces.size());
+    is_cut_.clear();
+    std::atomic<bool> reaches_near = false;
     each_batch(q_.size(), threads, [&](std::size_t begin, std::size_t end) {
         const std::span all(mesh.p_world), part = all.subspan(begin, end - begin);
-        to_screen(part,
-                  transform_,
-                  near_,
-                  std::span(q_).subspan(begin, part.size()),
-                  std::span(places_).subspan(begin, part.size()));
+        if (to_screen(part,
+                      transform_,
+                      near_,
+                      std::span(q_).subspan(begin, part.size()),
+                      std::span(places_).subspan(begin, part.size())))
+            reaches_near = true;
     });
     each_batch(facing_.size(), threads, [&](std::size_t begin, std::size_t end) {
         find_facing(mesh, eye_, begin, end, facing_);
+    });
+    if (reaches_near) find_cut(threads);
+}
+
+void ScreenMesh::find_cut(int threads) {
+    const auto reaches_near = [&](const LookupFace& face) {
+        return std::ranges::any_of(face.vertices, [&](std::uint32_t i) {
+            return places_[i] == glm::ivec2(kOffScreen, kBeforeNear);
+        });
+    };
+    is_cut_.resize(mesh_->faces.size());
+    each_batch(is_cut_.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            const LookupFace& face = mesh_->faces[f];
+            const auto is_beside = [&](Twin twin) {
+                return !twin.is_nothing() && !twin.is_many() &&
+                       reaches_near(mesh_->faces[twin.face()]);
+            };
+            is_cut_[f] = reaches_near(face) || std::ranges::any_of(face.twins, is_beside);
+        }
     });
 }
 

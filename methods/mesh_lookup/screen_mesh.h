@@ -60,6 +60,9 @@ class ScreenMesh {
     [[nodiscard]] const LookupMesh& mesh() const { return *mesh_; }
     /// Per face, which side of it is seen: 1 and -1, 0 edge-on.
     [[nodiscard]] std::span<const std::int8_t> facing() const { return facing_; }
+    /// Per face, whether a corner of it, or of a face beside it, lies before the near plane; empty
+    /// if none does.
+    [[nodiscard]] std::span<const std::uint8_t> is_cut() const { return is_cut_; }
 
   private:
     class Walk;
@@ -74,6 +77,7 @@ class ScreenMesh {
         [[nodiscard]] bool is_on_screen() const { return x != kOffScreen; }
     };
 
+    void find_cut(int threads);
     [[nodiscard]] Vertex vertex(std::uint32_t i) const {
         return {q_[i], places_[i].x, places_[i].y};
     }
@@ -98,6 +102,7 @@ class ScreenMesh {
     std::vector<double> q_;  ///< per vertex
     std::vector<glm::ivec2> places_;
     std::vector<std::int8_t> facing_;
+    std::vector<std::uint8_t> is_cut_;
     raster::ViewTransform transform_;
     std::optional<scene::Projection> projection_;
     scene::Viewpoint eye_;

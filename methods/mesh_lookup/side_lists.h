@@ -79,12 +79,14 @@ struct WordTile {
     bool has_corners = true;                 ///< samples are pixel corners, not centres
     std::uint32_t face_bits = kNoNeighbour;  ///< of a word
     std::span<const LookupFace> faces;
-    std::span<const std::int8_t> facing;  ///< as ScreenMesh has it
+    std::span<const std::int8_t> facing;     ///< as ScreenMesh has it
+    std::span<const std::uint8_t> is_cut{};  ///< likewise
 };
 
 /// Lists the sides of a tile whose samples differ in their faces, but for those over an edge that
 /// is no line from here. With a `rule`, which is for corners, what codes and depths tell is left
-/// out, too, and sides that they call a line set their pixels in `lines`. Row by row. The same on
+/// out, too, and sides that they call a line set their pixels in `lines`; but not at a face that
+/// the near plane cuts: the cut is no line, which the mesh alone knows. Row by row. The same on
 /// every SIMD target.
 void list_sides(const WordTile& words, const CodeRule* rule, LineBits& lines, SideList& list);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 
 #include "edge/vector_loops.inl"
@@ -107,6 +108,28 @@ HWY_INLINE void keep_others(const WordTile& words, const RowSides& row, SideList
     }
 }
 
+/// Lists those of the sides in `bits` at which the near plane may cut a face, and returns the
+/// others. Their samples are `first` and `second` on, the place of the first of them is `place`.
+HWY_INLINE std::uint64_t list_cut(const WordTile& words,
+                                  std::uint64_t bits,
+                                  const std::uint32_t* first,
+                                  const std::uint32_t* second,
+                                  std::uint32_t place,
+                                  SideList& list) {
+    if (words.is_cut.empty()) return bits;
+    const auto is_cut = [&](std::uint32_t word) {
+        return word != kNoNeighbour && words.is_cut[word & words.face_bits] != 0;
+    };
+    std::uint64_t others = bits;
+    for (std::uint64_t rest = bits; rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest);
+        if (!is_cut(first[i]) && !is_cut(second[i])) continue;
+        others &= ~(std::uint64_t{1} << i);
+        list.places[list.count++] = place + (static_cast<std::uint32_t>(i) << 1);
+    }
+    return others;
+}
+
 void list_in(const WordTile& words, const CodeRule* rule, LineBits& lines, SideList& list) {
     const raster::Tile& tile = words.tile;
     const int first = words.has_corners ? 0 : -1;
@@ -132,9 +155,8 @@ void list_in(const WordTile& words, const CodeRule* rule, LineBits& lines, SideL
                 auto sky_down = hn::And(down, hn::Or(from_sky, hn::Eq(c, sky)));
                 right = hn::AndNot(sky_right, right);
                 down = hn::AndNot(sky_down, down);
-                const auto places =
-                    hn::Add(hn::Set(d, static_cast<std::uint32_t>((y + 1) << 8 | (x + 1) << 1)),
-                            hn::ShiftLeft<1>(hn::Iota(d, 0)));
+                const auto place = static_cast<std::uint32_t>((y + 1) << 8 | (x + 1) << 1);
+                const auto places = hn::Add(hn::Set(d, place), hn::ShiftLeft<1>(hn::Iota(d, 0)));
                 const auto places_down = hn::Or(places, hn::Set(d, 1U));
                 if (rule != nullptr) {
                     auto sure_right = sky_right, sure_down = sky_down;
@@ -148,8 +170,17 @@ void list_in(const WordTile& words, const CodeRule* rule, LineBits& lines, SideL
                         sure_down = hn::Or(sure_down, more);
                     }
                     if (!hn::AllFalse(d, hn::Or(sure_right, sure_down))) {
-                        lines.set_right(x, y, bits_of(d, sure_right));
-                        lines.set_down(x, y, bits_of(d, sure_down));
+                        const auto others = [&](auto sure, const auto* second, unsigned is_down)
+                                                HWY_ATTR {
+                                                    return list_cut(words,
+                                                                    bits_of(d, sure),
+                                                                    here + x,
+                                                                    second + x,
+                                                                    place | is_down,
+                                                                    list);
+                                                };
+                        lines.set_right(x, y, others(sure_right, here + 1, 0));
+                        lines.set_down(x, y, others(sure_down, below, 1));
                     }
                     if (hn::AllFalse(d, hn::Or(right, down))) return;
                 } else if (!hn::AllFalse(d, hn::Or(sky_right, sky_down))) {

@@ -203,6 +203,10 @@ class PlainSides {
             const bool is_sure =
                 has_sky || (apart >= rule_->trust && !is_flagged &&
                             std::max(bend_a, bend_b) > least(rule_->flat, nearest));
+            if (is_sure && (is_cut(a) || is_cut(b))) {
+                places.insert(place);
+                return;
+            }
             if (is_sure) {
                 pixels.insert({x, y});
                 pixels.insert(is_down ? std::pair{x - 1, y} : std::pair{x, y - 1});
@@ -214,6 +218,10 @@ class PlainSides {
         }
         if (!has_sky && is_open(a & words_.face_bits, b & words_.face_bits)) return;
         places.insert(place);
+    }
+    [[nodiscard]] bool is_cut(std::uint32_t word) const {
+        return !words_.is_cut.empty() && word != kNoNeighbour &&
+               words_.is_cut[word & words_.face_bits] != 0;
     }
     [[nodiscard]] bool is_open(std::uint32_t a, std::uint32_t b) const {
         for (const Twin twin : words_.faces[a].twins) {
@@ -234,17 +242,23 @@ TEST(ListSides, AreThoseOfThePlainRule) {
     std::vector<std::int8_t> facing;
     const LookupMesh mesh = any_mesh(kFaces, facing);
     const CodeRule rule{.jump = {.of_q = 1.5e-4F}, .flat = {.of_q = 0.5e-4F}, .trust = 4};
+    std::vector<std::uint8_t> is_cut(kFaces);
+    for (std::size_t f = 0; f < kFaces; ++f)
+        is_cut[f] = f % 5 == 0;
     for (const glm::ivec2 size : {glm::ivec2{64, 64}, {1, 1}, {17, 5}, {63, 2}, {3, 64}}) {
         for (const bool has_codes : {false, true}) {
             const AnyTile any(size, kFaces, has_codes, static_cast<unsigned>(size.x));
-            for (const bool has_corners : {true, false}) {
+            // Corners, corners of a scene that the near plane cuts, and centres.
+            for (const int kind : {0, 1, 2}) {
+                const bool has_corners = kind != 2;
                 const CodeRule* const used = has_codes && has_corners ? &rule : nullptr;
                 const WordTile words{
                     .tile = any.tile,
                     .has_corners = has_corners,
                     .face_bits = has_codes ? LookupWord::kFaceOfCoded : kNoNeighbour,
                     .faces = mesh.faces,
-                    .facing = facing};
+                    .facing = facing,
+                    .is_cut = std::span(is_cut).first(kind == 1 ? kFaces : 0)};
                 const PlainSides expected(words, used);
                 on_every_target([&] {
                     LineBits lines;
