@@ -3,11 +3,12 @@
 
     experiments/deformation.py build/release/inkbench [--out FOLDER] [--poses N] [MODEL ...]
 
-Codes are made once, of the model as it rests (at the start of its animation). Here a model is drawn so at
-evenly spaced moments of each of its animations, and once more from a still copy of that pose, whose codes
-are its own. Of an animation the first pose is printed, and the one at which `surface8` loses most. Beside F
-stands how far the pose bends: the change of the dihedral angle that 5 % of the length of all edges exceed,
-the same for the stretch of edges, and the share of edges, by length, that the pose makes a crease of.
+It needs a program whose methods keep the codes of the animation's start with --time, as version 0.2.0 did up to
+commit ea1e6c9a; now codes are of the pose that is drawn. A model is drawn at evenly spaced moments of each of its
+animations, and once more from a still copy of that pose, whose codes are its own. Of an animation the first pose is
+printed, and the one at which `surface8` loses most. Beside F stands how far the pose bends: the change of the
+dihedral angle that 5 % of the length of all edges exceed, the same for the stretch of edges, and the share of edges, by
+length, that the pose makes a crease of.
 `elbow` is made here, and printed whole: a tube of 2 x 48 x 96 triangles that one joint bends by 150 degrees.
 Runs stay in FOLDER and are not made again.
 """

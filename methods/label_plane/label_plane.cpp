@@ -15,7 +15,6 @@
 #include "buffers/surface_method.h"
 #include "buffers/surface_values.h"
 #include "methods/surface_codes/patch_labels.h"
-#include "scene/animation.h"
 
 namespace ink::methods {
 namespace {
@@ -73,17 +72,9 @@ class LabelPass : public buffers::ConstantPass {
     using ConstantPass::see;
 
   protected:
+    /// A label per triangle; those without area have label 0 and cover nothing.
     [[nodiscard]] std::vector<std::uint32_t> constants_of(
         const scene::PreparedScene& scene) override {
-        if (!scene->animation) return labels_of(scene);
-        scene::Scene resting = scene;
-        scene::pose_scene(resting, 0);
-        return labels_of(resting);
-    }
-
-  private:
-    /// A label per triangle; those without area have label 0 and cover nothing.
-    [[nodiscard]] std::vector<std::uint32_t> labels_of(const scene::PreparedScene& scene) const {
         const auto smooth = make_smooth_mesh(
             scene,
             {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
@@ -101,6 +92,7 @@ class LabelPass : public buffers::ConstantPass {
         return labels;
     }
 
+  private:
     LabelPlaneParams params_;
 };
 

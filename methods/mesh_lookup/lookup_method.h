@@ -68,7 +68,7 @@ class LookupPass : public buffers::ConstantPass {
 
     LookupParams params_;
     std::optional<CodedLookup> coded_;
-    std::vector<std::uint32_t> codes_;  ///< per triangle; of the scene at rest
+    std::vector<std::uint32_t> codes_;  ///< per triangle; of the scene as it was prepared
     CodeRule rule_;
     LookupMesh mesh_;
     ScreenMesh screen_;

@@ -13,13 +13,13 @@ namespace ink::methods {
 enum class BakedMethod { surface8, label8 };
 
 /// The codes that the method draws at its default settings but for the crease angle: 1..255, one
-/// per triangle of the scene, by global index; see SurfaceCodes. An empty scene has none.
+/// per triangle of the scene as it stands, by global index; see SurfaceCodes. An empty scene has
+/// none.
 [[nodiscard]] std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
                                                      BakedMethod method,
                                                      double crease_deg);
 
-/// The welded scene, cut into smooth patches, that these codes are made from. A scene with an
-/// animation is taken as it stands.
+/// The welded scene, cut into smooth patches, that these codes are made from.
 [[nodiscard]] std::shared_ptr<const SmoothMesh> baked_mesh(const scene::PreparedScene& scene,
                                                            double crease_deg);
 

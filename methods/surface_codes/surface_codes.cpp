@@ -10,7 +10,6 @@
 
 #include "methods/surface_codes/patch_labels.h"
 #include "methods/surface_codes/surface_graph.h"
-#include "scene/animation.h"
 #include "scene/box.h"
 
 namespace ink::methods {
@@ -137,14 +136,8 @@ std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
 }  // namespace
 
 void SurfaceCodes::prepare(const scene::PreparedScene& scene) {
-    const auto lay_out = [&](const scene::PreparedScene& resting) {
-        mesh_ = make_smooth_mesh(resting, options_.patches);
-        face_of_ = *faces_of_triangles(resting, *mesh_, options_.patches.weld_epsilon);
-    };
-    if (!scene->animation) return lay_out(scene);
-    scene::Scene resting = scene;
-    scene::pose_scene(resting, 0);
-    lay_out(resting);
+    mesh_ = make_smooth_mesh(scene, options_.patches);
+    face_of_ = *faces_of_triangles(scene, *mesh_, options_.patches.weld_epsilon);
 }
 
 std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_world) {

@@ -28,14 +28,14 @@ struct CodeOptions {
 
 /// One code of a byte per triangle of a scene: what methods without interpolants draw.
 ///
-/// Codes are functions of the scene as it rests (at the start of its animation, if it has one), and
-/// of a footprint: the length that a step must cover at least. So they stay while a scene moves.
-/// Deterministic. An empty scene has none.
+/// Codes are functions of the scene as it stands when it is prepared, and of a footprint: the
+/// length that a step must cover at least. So they stay while a scene moves. Deterministic. An
+/// empty scene has none.
 class SurfaceCodes {
   public:
     explicit SurfaceCodes(const CodeOptions& options) : options_(options) {}
 
-    /// Welds and cuts the scene at rest. O(n log n).
+    /// Welds and cuts the scene as it stands. O(n log n).
     void prepare(const scene::PreparedScene& scene);
 
     /// A code per triangle. `length_world` holds a length per triangle at least that a step covers

@@ -13,7 +13,6 @@
 #include "core/error.h"
 #include "core/provenance.h"
 #include "import/model_bytes.h"
-#include "scene/animation.h"
 
 namespace ink::bake {
 namespace {
@@ -26,19 +25,11 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// The scene as codes are made from it: at the start of its animation, if it has one.
-scene::Scene resting(const scene::Scene& scene) {
-    scene::Scene rest = scene;
-    if (rest.animation) scene::pose_scene(rest, 0);
-    rest.animation = nullptr;
-    return rest;
-}
-
 /// What the file is to say of itself: what was asked for, and of an earlier run what stays.
 Mark wanted_mark(const BakeOptions& options,
                  const std::optional<Mark>& before,
-                 const scene::Scene& rest) {
-    Mark mark{core::provenance().version, mesh_hash(rest), {}, {}};
+                 const scene::Scene& scene) {
+    Mark mark{core::provenance().version, mesh_hash(scene), options.pose, {}, {}};
     if (options.codes) {
         mark.codes = {{"method", name(*options.codes)}, {"crease_deg", options.crease_deg}};
         if (options.texcoord > 0)
@@ -85,7 +76,8 @@ struct Work {
 Work work_for(const std::optional<Mark>& before,
               const Mark& after,
               const std::vector<BakedPrimitive>& primitives) {
-    const bool is_stale = !before || before->version != after.version || before->mesh != after.mesh;
+    const bool is_stale = !before || before->version != after.version ||
+                          before->mesh != after.mesh || before->pose != after.pose;
     const bool has_codes = std::all_of(primitives.begin(), primitives.end(), [](auto& primitive) {
         return primitive.source.has(kInk);
     });
@@ -114,12 +106,11 @@ class Baking {
     Baking(import::GltfDocument document, const import::ImportedModel& model)
         : edit_(std::move(document)),
           primitives_(find_primitives(edit_, model)),
-          rest_(resting(model.scene)),
-          prepared_(rest_) {}
+          prepared_(model.scene) {}
 
     BakedFile run(const BakeOptions& options, const fs::path& from, const fs::path& to) {
         const std::optional<Mark> before = read_mark(edit_.json());
-        const Mark after = wanted_mark(options, before, rest_);
+        const Mark after = wanted_mark(options, before, prepared_);
         const Work work = work_for(before, after, primitives_.list);
         const BakeOptions all = options_of(after);
         if (!work.codes && !work.edges && is_glb(from) == is_glb(to)) {
@@ -131,6 +122,7 @@ class Baking {
         if (work.codes && !work.edges) check_foreign_edges(primitives_.list);
         const bool has_own_edges = before && !before->edges.is_null();
         if (work.edges) bake_edges(crease_deg_of(after.edges), has_own_edges);
+        if (!options.pose.empty()) say("it moves: what is put in is of its pose {}", options.pose);
         say_what_is_left();
         write_mark(edit_.json(), after);
         std::vector<std::string> notes;
@@ -198,7 +190,6 @@ class Baking {
 
     GltfEdit edit_;
     BakedPrimitives primitives_;
-    scene::Scene rest_;
     scene::PreparedScene prepared_;
     BakedFile file_;
 };

@@ -16,6 +16,9 @@ struct BakeOptions {
     int texcoord = 0;                             ///< 1 or 2: codes as TEXCOORD_1 or _2, too
     bool edges = false;                           ///< EXT_mesh_primitive_edge_visibility
     double crease_deg = 40;                       ///< of codes and edges
+    /// Which pose of a model that moves stands in its scene, "at rest" or "at 1.5 s": what the file
+    /// is to say of it. Empty: it does not move.
+    std::string pose{};
 };
 
 /// "surface8", "label8".
@@ -30,8 +33,8 @@ struct BakedFile {
     std::size_t added_vertices = 0;
 };
 
-/// The glTF file at `from`, which `model` was imported from, with what the options ask for; of the
-/// kind that the ending of `to` says. All else in it stays as it is.
+/// The glTF file at `from`, which `model` was imported from, with what the options ask for, made of
+/// the model as it stands; of the kind that the ending of `to` says. All else in it stays as it is.
 ///
 /// A file that has it all already comes back byte for byte if it is of that kind. Throws
 /// core::Error (where = `from`) for what cannot be baked, and (where = `to`) for what cannot be

@@ -41,6 +41,7 @@ std::optional<Mark> read_mark(const Json& gltf) {
     if (mark == (*home)["extras"].end() || !mark->is_object()) return std::nullopt;
     return Mark{.version = text_of(*mark, "version"),
                 .mesh = text_of(*mark, "mesh"),
+                .pose = text_of(*mark, "pose"),
                 .codes = part_of(*mark, "codes"),
                 .edges = part_of(*mark, "edges")};
 }
@@ -52,6 +53,7 @@ void write_mark(Json& gltf, const Mark& mark) {
                           "asset.extras and extras are no objects, so nothing can be added",
                           "a file with an object, or none, as one of them");
     Json json = {{"version", mark.version}, {"mesh", mark.mesh}};
+    if (!mark.pose.empty()) json["pose"] = mark.pose;
     if (!mark.codes.is_null()) json["codes"] = mark.codes;
     if (!mark.edges.is_null()) json["edges"] = mark.edges;
     (*home)["extras"][kName] = std::move(json);

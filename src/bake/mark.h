@@ -14,6 +14,7 @@ namespace ink::bake {
 struct Mark {
     std::string version;  ///< of the program
     std::string mesh;     ///< mesh_hash
+    std::string pose;     ///< BakeOptions::pose
     Json codes;           ///< {"method", "crease_deg"[, "channel"]}; null: none
     Json edges;           ///< {"crease_deg"}; null: none
 

@@ -84,9 +84,10 @@ class Method {
   public:
     virtual ~Method() = default;
 
-    /// Once per topology: adjacency, patches, labels, normals. What others make of a scene as well
-    /// is asked of `scene`, which makes it once for all. The scene outlives the method's use of it;
-    /// what it was prepared as does not.
+    /// Once per topology: adjacency, patches, labels, normals. What stays while an animation goes
+    /// on, such as codes, is of the pose in which the scene stands here. What others make of a
+    /// scene as well is asked of `scene`, which makes it once for all. The scene outlives the
+    /// method's use of it; what it was prepared as does not.
     virtual void prepare(const scene::PreparedScene& scene) = 0;
 
     /// Whenever a vertex or an instance moved, and once after prepare: world positions and what

@@ -38,7 +38,8 @@ struct DemoFrame {
     std::int64_t shade_ns = 0;    ///< Gouraud's shading, its own rasterization included
     std::int64_t toon_ns = 0;     ///< the toon table's shading likewise
     std::int64_t strokes_ns = 0;  ///< that by strokes likewise
-    std::int64_t pose_ns = 0;     ///< of the method; of the very first frame, with its prepare
+    /// Of the method; of the very first frame, with its prepare: codes are of that frame's pose.
+    std::int64_t pose_ns = 0;
     std::int64_t draw_ns = 0;
     std::int64_t compose_ns = 0;  ///< the lines put over the shading
     std::int64_t hand_ns = 0;     ///< thinned instead, drawn again by hand and put over the strokes

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "import/model_bytes.h"
+#include "scene/animation.h"
 #include "tests/bake/baked_files.h"
 #include "tests/import/packed_files.h"
 
@@ -140,6 +141,48 @@ TEST_F(Bake, AllThatWasInTheFileIsThereStill) {
         EXPECT_TRUE(
             std::equal(old_file.binary.begin(), old_file.binary.end(), new_file.binary.begin()));
     }
+}
+
+/// A cube whose target draws out two of its corners: not at rest, in part at the first key.
+GlbFile drawn_out_cube() {
+    GlbFile file = one_cube();
+    std::vector<float> more(24, 0);
+    more[9] = 3;
+    more[10] = 2;
+    more[21] = 3;
+    Json& mesh = file.json["meshes"][0];
+    mesh["primitives"][0]["targets"] = {{{"POSITION", file.accessor(more, "VEC3")}}};
+    mesh["weights"] = {0.0};
+    const std::size_t weights = file.accessor(std::vector<float>{0.5F, 1}, "SCALAR");
+    import::animate(file, 0, "weights", weights, {0, 2});
+    return file;
+}
+
+TEST_F(Bake, CodesAreOfThePoseInWhichTheModelStandsAndTheFileSaysWhich) {
+    const auto from = write("from.glb", drawn_out_cube().bytes());
+    import::ImportedModel model = import::import_model(from);
+    std::vector<std::vector<std::uint32_t>> codes;
+    for (const std::string pose : {"at rest", "at 0 s", "at 2 s"}) {
+        if (pose != "at rest") scene::pose_scene(model.scene, pose == "at 0 s" ? 0 : 2);
+        BakeOptions options = kAll;
+        options.pose = pose;
+        const BakedFile baked = bake(from, model, options, in_folder("to.glb"));
+        (void)write("to.glb", baked.bytes);
+        EXPECT_THAT(baked.lines, Contains("it moves: what is put in is of its pose " + pose));
+        EXPECT_EQ(json_of("to.glb")["asset"]["extras"]["inkbench"]["pose"], pose);
+        scene::Scene still = model.scene;
+        still.animation = nullptr;
+        codes.push_back(methods::baked_codes(still, BakedMethod::surface8, 40));
+        OpenFile file(in_folder("to.glb"));
+        expect_codes(file, 0, 0, codes.back());
+    }
+    EXPECT_NE(codes[0], codes[1]);
+    EXPECT_NE(codes[0], codes[2]);
+}
+
+TEST_F(Bake, AStillModelHasNoPoseToSay) {
+    (void)bake_to(write("from.glb", one_cube().bytes()), "to.glb", kSurface);
+    EXPECT_FALSE(json_of("to.glb")["asset"]["extras"]["inkbench"].contains("pose"));
 }
 
 TEST_F(Bake, VerticesThatAreWrittenAnewTakeThePlaceOfTheOld) {

@@ -36,12 +36,13 @@ inline edge::EdgeImage drawn_over_garbage(method::Method& method, const method::
     return out;
 }
 
-/// What a new method draws of one frame when it may skip nothing.
+/// What a new method, prepared at the `start`, draws of one frame when it may skip nothing.
 inline edge::EdgeImage drawn_scalar(const MakeMethod& make,
+                                    const scene::Scene& start,
                                     const scene::Scene& scene,
                                     const scene::View& view) {
     const auto method = make();
-    method->prepare(scene);
+    method->prepare(start);
     method->pose(scene);
     return drawn_over_garbage(*method, {view, 1, raster::SkipSet::none()});
 }
@@ -55,7 +56,7 @@ inline std::string breach_of_a_view(const MakeMethod& make,
                                     const std::vector<scene::View>& views) {
     std::vector<edge::EdgeImage> expected;
     for (const scene::View& view : views)
-        expected.push_back(drawn_scalar(make, scene, view));
+        expected.push_back(drawn_scalar(make, scene, scene, view));
     const auto method = make();
     method->prepare(scene);
     method->pose(scene);
@@ -101,12 +102,15 @@ inline std::string breach_of_a_sequence(
     return "";
 }
 
-/// What new methods that may skip nothing draw of each step.
+/// What new methods that may skip nothing draw of each step. While an animation goes on, codes are
+/// those of its first step.
 inline std::vector<edge::EdgeImage> expected_of(const MakeMethod& make,
                                                 const std::vector<Step>& steps) {
     std::vector<edge::EdgeImage> expected;
-    for (const Step& step : steps)
-        expected.push_back(drawn_scalar(make, step.scene, step.view));
+    for (const Step& step : steps) {
+        const scene::Scene& start = step.scene.animation ? steps.front().scene : step.scene;
+        expected.push_back(drawn_scalar(make, start, step.scene, step.view));
+    }
     return expected;
 }
 

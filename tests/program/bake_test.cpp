@@ -48,6 +48,41 @@ TEST(BakeProgram, WritesAFileAndSaysWhatWasDone) {
     EXPECT_EQ(desk.read("a.gltf"), desk.read("b.gltf"));
 }
 
+TEST(BakeProgram, SaysOfWhichPoseItIs) {
+    const Desk desk;
+    Json moving = Json::parse(tetrahedron());
+    const std::string data = "data:application/octet-stream;base64,";
+    moving["buffers"].push_back({{"byteLength", 8}, {"uri", data + "AAAAAAAAAEA="}});
+    moving["buffers"].push_back(
+        {{"byteLength", 24}, {"uri", data + "AAAAAAAAAAAAAAAAAAAAQAAAAEAAAABA"}});
+    moving["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 8}});
+    moving["bufferViews"].push_back({{"buffer", 2}, {"byteLength", 24}});
+    moving["accessors"].push_back({{"bufferView", 2},
+                                   {"componentType", 5126},
+                                   {"count", 2},
+                                   {"type", "SCALAR"},
+                                   {"min", {0}},
+                                   {"max", {2}}});
+    moving["accessors"].push_back(
+        {{"bufferView", 3}, {"componentType", 5126}, {"count", 2}, {"type", "VEC3"}});
+    moving["animations"] = {
+        {{"name", "fly"},
+         {"samplers", {{{"input", 2}, {"output", 3}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    desk.write("a.gltf", moving.dump());
+    const auto pose = [&](const std::string& options) {
+        const std::string said = expect_done(desk, "bake a.gltf -o b.gltf" + options);
+        const Json mark = Json::parse(desk.read("b.gltf"))["asset"]["extras"]["inkbench"];
+        EXPECT_THAT(said, HasSubstr("is of its pose " + mark["pose"].get<std::string>() + "\n"));
+        return mark["pose"].get<std::string>();
+    };
+    EXPECT_EQ(pose(""), "at rest");
+    EXPECT_EQ(pose(" --time 1.5 --animation fly"), "at 1.5 s");
+    expect_refused(desk, "bake a.gltf -o b.gltf --time 3", {"--time", "at 3 s", "0..2"});
+    desk.write("still.gltf", tetrahedron());
+    expect_refused(desk, "bake still.gltf -o b.gltf --time 1", {"--time", "does not move"});
+}
+
 TEST(BakeProgram, OtherFormatsBecomeGltfWithNamesAndBaseColours) {
     const Desk desk;
     desk.write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl glass\nKd 0 0.5 1\nd 0.5\n");

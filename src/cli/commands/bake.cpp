@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/commands/commands.h"
 #include "cli/options/options.h"
@@ -13,6 +14,7 @@
 #include "core/scratch_folder.h"
 #include "core/whole_file.h"
 #include "entrants/mesh_files.h"
+#include "harness/suite.h"
 
 namespace ink::cli {
 namespace {
@@ -26,6 +28,8 @@ struct BakeArgs {
     std::string channel;
     bool edges = false;
     double crease_deg = bake::BakeOptions{}.crease_deg;
+    std::optional<double> time_s;
+    std::string animation;
 };
 
 /// The number of a word in a list of them. Throws core::Error that lists the words.
@@ -78,10 +82,15 @@ bake::BakedFile bake_other(const import::ImportedModel& model,
 }
 
 void run_bake(const BakeArgs& args) {
-    const bake::BakeOptions options = options_of(args);
+    bake::BakeOptions options = options_of(args);
     check_output_path(args.out, {".glb", ".gltf"});
     const core::InterruptGuard guard("nothing is written");
-    const import::ImportedModel model = import::import_model(args.model);
+    import::ImportedModel model = import::import_model(args.model, {.animation = args.animation});
+    if (model.scene.animation)
+        options.pose = args.time_s ? fmt::format("at {:g} s", *args.time_s) : "at rest";
+    harness::ViewRequest request;
+    request.time_s = args.time_s;
+    model.scene = harness::make_scene_views(std::move(model.scene), request).scene;
     const bake::BakedFile baked = bake::is_gltf(model)
                                       ? bake::bake(args.model, model, options, args.out)
                                       : bake_other(model, options, args.out);
@@ -123,6 +132,17 @@ void add_bake_command(CLI::App& app) {
             "--crease-deg", args->crease_deg, "Angle between faces at which an edge is a line")
         ->type_name("DEG")
         ->capture_default_str();
+    command
+        ->add_option("--time",
+                     args->time_s,
+                     "Moment of a model that moves, of whose pose codes and edges are (default: "
+                     "its rest pose)")
+        ->type_name("SECONDS");
+    command
+        ->add_option("--animation",
+                     args->animation,
+                     "Which animation moves it (default: the first; inkbench explain lists them)")
+        ->type_name("NAME|N");
     command->footer(
         "The first and the last vertex of each triangle have its code, so vertices may be added. "
         "All else in the file stays.\n"
