@@ -62,16 +62,20 @@ struct Wall {
 };
 
 /// The image of one frame by a new method.
+inline edge::EdgeImage drawn(method::Method& method,
+                             const scene::Scene& scene,
+                             const method::Frame& frame) {
+    edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
+    method.prepare(scene);
+    method.pose(scene);
+    method.draw(frame, out);
+    return out;
+}
 inline edge::EdgeImage drawn(const std::string& method,
                              const core::ParamValues& values,
                              const scene::Scene& scene,
                              const method::Frame& frame) {
-    const auto made = find_method(method).make(values);
-    edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
-    made->prepare(scene);
-    made->pose(scene);
-    made->draw(frame, out);
-    return out;
+    return drawn(*find_method(method).make(values), scene, frame);
 }
 
 }  // namespace ink::methods

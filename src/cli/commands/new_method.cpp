@@ -127,7 +127,7 @@ void add_new_method_command(CLI::App& app) {
     command->add_option("--root", args->root, "The source tree (default: this folder)")
         ->type_name("DIR");
     command->footer(
-        "It draws at once: dark where the surface turns away. Change it, build, compare:\n"
+        "It draws at once: lines where the surface turns or ends. Change it, build, compare:\n"
         "methods/README.md says how a method is put together.\n"
         "Example: inkbench new-method my_lines && ./bootstrap build && \\\n"
         "         build/release/inkbench compare --scenes torus --methods my_lines,mote4\n"
