@@ -223,7 +223,7 @@ void make_triangles_of_fans(Element root) {
         fans.set_name("triangles");
         fans.remove_attribute("count");
         fans.append_attribute("count").set_value(triangles);
-        fans.append_child("p").text().set(text.c_str());
+        if (triangles > 0) fans.append_child("p").text().set(text.c_str());
     }
 }
 
