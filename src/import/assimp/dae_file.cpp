@@ -274,7 +274,7 @@ void check_uses(const DaeDocument& dae, std::vector<std::string>& notes) {
     for (const Element& use : elements(dae.root(), "instance_controller"))
         (void)dae.target(use, "url", {"controller"});
     if (dae.root().child("scene").child("instance_kinematics_scene"))
-        notes.push_back("kinematics, as nodes stand where they are: left out");
+        notes.emplace_back("kinematics, as nodes stand where they are: left out");
     if (splines > 0) notes.push_back(counted(splines, "spline") + ": left out");
     if (!with_lines.empty())
         notes.push_back("lines of " + counted(with_lines.size(), "mesh") + ": left out");
