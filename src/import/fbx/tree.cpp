@@ -204,7 +204,7 @@ class TextTree {
     void skip_blanks() {
         while (!is_at_end()) {
             if (next() == ';') {
-                at_ = std::min(file_.find('\n', at_), file_.size());
+                at_ = std::min(file_.find_first_of("\r\n", at_), file_.size());
             } else if (std::string_view(" \t\r\n").find(next()) == std::string_view::npos) {
                 return;
             } else {
