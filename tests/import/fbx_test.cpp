@@ -9,6 +9,7 @@
 
 #include "import/fbx/axes.h"
 #include "import/fbx/fbx_reader.h"
+#include "import/rest_alone.h"
 #include "tests/core/error_text.h"
 #include "tests/import/fbx_files.h"
 #include "tests/import/model_files.h"
@@ -225,11 +226,22 @@ TEST_F(FbxFiles, WithKeysStandAsTheirModelsDo) {
     const auto path = write("keys.fbx", file.text());
     EXPECT_THAT(core::error_text([&] { return import_scene(path, {.animation = "Take 001"}); }),
                 HasSubstr("animation \"Take 001\": the file is read at rest alone"));
+    const scene::Scene scene = import_scene(path);
+    EXPECT_THAT(core::error_text([&] { return check_motion_is_read(scene, "--time"), 0; }),
+                HasSubstr("--time: the file of keys is read at rest alone (accepted: glTF"));
     EXPECT_THAT(core::error_text([&] {
                     return import_scene(write("still.fbx", box_file().text()),
                                         {.animation = "Take 001"});
                 }),
                 HasSubstr("the file has no animation"));
+}
+
+TEST(FbxMotion, IsWhatCachesOfVerticesHave) {
+    File file;
+    const auto box = add_box(file, file.model(0, "box"));
+    file.add(box, "Deformer", "cache", "VertexCacheDeformer");
+    EXPECT_THAT(read(file).notes, ElementsAre(HasSubstr("read at rest alone")));
+    EXPECT_THAT(read(box_file()).notes, IsEmpty());
 }
 
 // ---- Blend shapes ---------------------------------------------------------------------------
@@ -328,6 +340,19 @@ TEST(FbxSkins, StandAsTheirBonesDo) {
     // A half of the way, the other half with the mesh: 7..8, 0 goes to 10, 22..23.
     expect_box(
         corners_of(read(skinned({kAll, Numbers(8, .5), "Total1"}))), {7.5, 11, 0}, {9, 12.5, 3});
+}
+
+TEST(FbxSkins, TurnNormalsWithTheirBones) {
+    File file = skinned({kAll, Numbers(8, 1)});
+    Numbers normals;
+    for (int corner = 0; corner < 24; ++corner)
+        normals.insert(normals.end(), {1, 0, 0});
+    file.objects[1].children.push_back({"LayerElementNormal",
+                                        {std::int64_t{0}},
+                                        {{"MappingInformationType", {"ByPolygonVertex"}},
+                                         {"ReferenceInformationType", {"Direct"}},
+                                         {"Normals", {normals}}}});
+    EXPECT_LT(glm::length(read(file).meshes.at(0).normals.at(5) - glm::vec3(0, 1, 0)), 1e-6);
 }
 
 TEST(FbxSkins, BendWhatShapesHaveMade) {

@@ -80,7 +80,7 @@ std::vector<ImportedLight> convert_lights(const aiScene& scene,
     return lights;
 }
 
-/// The name of the reader that took the file, such as "Autodesk FBX Importer".
+/// The name of the reader that took the file, such as "Collada Importer".
 std::string reader_name(const Assimp::Importer& importer) {
     const int index = importer.GetPropertyInteger("importerIndex", -1);
     const aiImporterDesc* about =
@@ -94,7 +94,7 @@ double aspect_of(const aiCamera& camera) {
 }
 
 /// The camera's vertical angle. Assimp's documentation speaks of half the horizontal angle, its
-/// readers (FBX, Collada; its issue 2256) store all of it.
+/// readers (Collada; its issue 2256) store all of it.
 double vertical_fov_rad(const aiCamera& camera) {
     return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2.0) / aspect_of(camera));
 }

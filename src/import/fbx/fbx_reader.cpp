@@ -58,7 +58,7 @@ class FbxReader {
           models_(read_fbx_models(document, world_from_file_)) {}
 
     ImportReply read(const ImportChoice& choice) {
-        if (!document_.all("AnimationCurve").empty()) note_rest_alone(choice, reply_.notes);
+        if (has_motion()) note_rest_alone(choice, reply_.notes);
         for (const FbxObject* material : document_.all("Material")) {
             number_of_[material] = static_cast<std::uint32_t>(reply_.base_colors.size());
             reply_.base_colors.push_back(base_color(material->properties));
@@ -77,6 +77,14 @@ class FbxReader {
     }
 
   private:
+    [[nodiscard]] bool has_motion() const {
+        const auto deformers = document_.all("Deformer");
+        return !document_.all("AnimationCurve").empty() ||
+               std::any_of(deformers.begin(), deformers.end(), [](const FbxObject* deformer) {
+                   return deformer->kind == "VertexCacheDeformer";
+               });
+    }
+
     /// The model's geometries that are meshes. Throws Refusal for surfaces of other kinds.
     std::vector<const FbxObject*> meshes_of(const FbxModel& model) {
         std::vector<const FbxObject*> meshes;
@@ -130,6 +138,28 @@ class FbxReader {
         return model.world_from_model * model.model_from_mesh;
     }
 
+    /// Takes the points of a geometry, and the normals of its corners, where its skin takes them,
+    /// else where its model stands.
+    void take_to_world(const FbxObject& geometry,
+                       const FbxModel& model,
+                       const FbxCorners& corners,
+                       std::vector<glm::dvec3>& points,
+                       std::vector<glm::dvec3>& normals) const {
+        const auto skin = world_from_points(geometry, model, models_, points.size());
+        const std::vector<glm::dmat4> places =
+            skin ? *skin : std::vector<glm::dmat4>(points.size(), world_of_mesh(model));
+        for (std::size_t p = 0; p < points.size(); ++p)
+            points[p] = places[p] * glm::dvec4(points[p], 1);
+        for (std::size_t n = 0; n < normals.size(); ++n) {
+            const glm::dmat3 turn(places[corners.points[n]]);
+            // The cofactors, as in scene::pose_scene.
+            normals[n] = glm::dmat3(glm::cross(turn[1], turn[2]),
+                                    glm::cross(turn[2], turn[0]),
+                                    glm::cross(turn[0], turn[1])) *
+                         normals[n];
+        }
+    }
+
     /// Appends a geometry with its blend shapes. What has a skin, or is in one object with such,
     /// stands in world space.
     void append(const FbxObject& geometry,
@@ -142,21 +172,7 @@ class FbxReader {
         const bool is_base = !add_blend_shapes(geometry, points);
         std::vector<glm::dvec3> normals;
         if (is_base) normals = normals_of(geometry, corners);
-        if (is_in_world) {
-            const auto skin = world_from_points(geometry, model, models_, points.size());
-            const std::vector<glm::dmat4> places =
-                skin ? *skin : std::vector<glm::dmat4>(points.size(), world_of_mesh(model));
-            for (std::size_t p = 0; p < points.size(); ++p)
-                points[p] = places[p] * glm::dvec4(points[p], 1);
-            for (std::size_t n = 0; n < normals.size(); ++n) {
-                const glm::dmat3 turn(places[corners.points[n]]);
-                // The cofactors, as in scene::pose_scene.
-                normals[n] = glm::dmat3(glm::cross(turn[1], turn[2]),
-                                        glm::cross(turn[2], turn[0]),
-                                        glm::cross(turn[0], turn[1])) *
-                             normals[n];
-            }
-        }
+        if (is_in_world) take_to_world(geometry, model, corners, points, normals);
         std::vector<glm::dvec3> positions;
         for (const std::uint32_t point : corners.points)
             positions.push_back(points[point]);
