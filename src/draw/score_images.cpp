@@ -1,7 +1,10 @@
 #include "draw/score_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 #include <variant>
 
@@ -64,6 +67,19 @@ TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersecti
                    });
     if (const auto* coverage = find_channel<float>(file, kCoverageChannel)) {
         truth.coverage = *coverage;
+        const auto* const end = coverage->data() + coverage->size();
+        const auto* const wrong =
+            std::find_if(coverage->data(), end, [](float v) { return !std::isfinite(v); });
+        if (wrong != end) {
+            const auto at = static_cast<int>(wrong - coverage->data());
+            throw core::Error(path.string(),
+                              fmt::format("channel {} is {} at pixel {},{}",
+                                          kCoverageChannel,
+                                          *wrong,
+                                          at % coverage->width_px(),
+                                          at / coverage->width_px()),
+                              "finite numbers");
+        }
         truth.line_width_px = find_attribute<double>(file, kLineWidthAttribute).value_or(0);
     }
     const auto* below = find_channel<std::uint32_t>(file, "class.below_crease");

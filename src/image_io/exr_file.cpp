@@ -109,30 +109,23 @@ std::vector<std::uint8_t> interleave(const ExrFile& file, const OIIO::ImageSpec&
     });
 }
 
-ExrChannel read_channel(OIIO::ImageInput& input,
-                        const OIIO::ImageSpec& spec,
-                        int index,
-                        const fs::path& path) {
-    ExrChannel channel{spec.channelnames[static_cast<std::size_t>(index)], {}};
-    const OIIO::TypeDesc type = spec.channelformat(index);
-    const auto read = [&](OIIO::TypeDesc as, void* data) {
-        if (!input.read_image(0, 0, index, index + 1, as, data)) {
-            throw core::Error(
-                path.string(), "cannot be read: " + one_line(input.geterror()), kAccepted);
-        }
-    };
+template <class T>
+core::Image<T> read_image(OpenFile& file, int index) {
+    core::Image<T> image(file.width_px, file.height_px);
+    const std::vector<T> samples = read_samples<T>(file, index, index + 1);
+    std::copy(samples.begin(), samples.end(), image.data());
+    return image;
+}
+
+ExrChannel read_channel(OpenFile& file, int index) {
+    ExrChannel channel{file.spec.channelnames[static_cast<std::size_t>(index)], {}};
+    const OIIO::TypeDesc type = file.spec.channelformat(index);
     if (type == OIIO::TypeDesc::UINT32) {
-        core::Image<std::uint32_t> image(spec.width, spec.height);
-        read(type, image.data());
-        channel.pixels = std::move(image);
-        return channel;
-    }
-    core::Image<float> image(spec.width, spec.height);
-    read(OIIO::TypeDesc::FLOAT, image.data());
-    if (type == OIIO::TypeDesc::HALF) {
-        channel.pixels = HalfImage{std::move(image)};
+        channel.pixels = read_image<std::uint32_t>(file, index);
+    } else if (type == OIIO::TypeDesc::HALF) {
+        channel.pixels = HalfImage{read_image<float>(file, index)};
     } else {
-        channel.pixels = std::move(image);
+        channel.pixels = read_image<float>(file, index);
     }
     return channel;
 }
@@ -178,18 +171,17 @@ void write_exr(const ExrFile& file, const fs::path& path) {
 }
 
 ExrFile read_exr(const fs::path& path) {
-    const OpenFile opened = open_image(path, kAccepted);
-    const OIIO::ImageSpec& spec = opened.spec;
+    OpenFile opened = open_image(path, kAccepted);
     if (std::string_view(opened.input->format_name()) != "openexr") {
         throw core::Error(path.string(), "this is not such a file", kAccepted);
     }
     ExrFile file;
-    for (int i = 0; i < spec.nchannels; ++i)
-        file.channels.push_back(read_channel(*opened.input, spec, i, path));
+    for (int i = 0; i < opened.spec.nchannels; ++i)
+        file.channels.push_back(read_channel(opened, i));
     std::sort(file.channels.begin(), file.channels.end(), [](const auto& a, const auto& b) {
         return a.name < b.name;
     });
-    file.attributes = attributes_of(spec);
+    file.attributes = attributes_of(opened.spec);
     return file;
 }
 

@@ -49,7 +49,8 @@ void write_exr(const ExrFile& file, const std::filesystem::path& path);
 
 /// Reads every channel of the first part in its own type (others than the three do not occur in
 /// OpenEXR), sorted by name, and every attribute that is a text or a single number, as far as
-/// OpenImageIO hands them on.
+/// OpenImageIO hands them on. The image is the display window: what lies outside is left out, and
+/// pixels that the file does not hold are 0.
 ///
 /// Throws core::Error with where = the path if it is missing, not OpenEXR, damaged or larger than
 /// 2^27 pixels.

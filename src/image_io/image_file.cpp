@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.h"
@@ -57,6 +58,14 @@ void check_not_cut(const fs::path& path, const char* accepted) {
         file.seekg(next);
     }
     throw core::Error(path.string(), "the file is cut off", accepted);
+}
+
+void check_size(int width_px, int height_px, int depth, const fs::path& path) {
+    const std::int64_t pixels = std::int64_t{width_px} * height_px;
+    if (width_px >= 1 && height_px >= 1 && depth <= 1 && pixels <= kMaxPixels) return;
+    throw core::Error(path.string(),
+                      fmt::format("its size is {} x {} px", width_px, height_px),
+                      "1 x 1 px to 2^27 px in all");
 }
 
 /// Refuses what cannot become 8-bit grey without a guess.
@@ -148,13 +157,16 @@ OpenFile open_image(const fs::path& path, const char* accepted) {
     if (!file.input) {
         throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), accepted);
     }
-    file.spec = file.input->spec();
-    const std::int64_t pixels = std::int64_t{file.spec.width} * file.spec.height;
-    if (file.spec.width < 1 || file.spec.height < 1 || file.spec.depth > 1 || pixels > kMaxPixels) {
-        throw core::Error(path.string(),
-                          fmt::format("its size is {} x {} px", file.spec.width, file.spec.height),
-                          "1 x 1 px to 2^27 px in all");
-    }
+    const OIIO::ImageSpec& spec = file.spec = file.input->spec();
+    check_size(spec.width, spec.height, spec.depth, path);
+    file.width_px = spec.width;
+    file.height_px = spec.height;
+    if (std::string_view(file.input->format_name()) != "openexr") return file;
+    check_size(spec.full_width, spec.full_height, spec.full_depth, path);
+    file.width_px = spec.full_width;
+    file.height_px = spec.full_height;
+    file.left_px = spec.x - spec.full_x;
+    file.top_px = spec.y - spec.full_y;
     return file;
 }
 

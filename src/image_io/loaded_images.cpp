@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include <new>
+
 #include "core/error.h"
 #include "core/program_folder.h"
 #include "image_io/image_functions.h"
@@ -20,8 +22,13 @@ const ImageFunctions& load() {
     void* const handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* const found = handle == nullptr ? nullptr : dlsym(handle, kImageFunctions);
     if (found == nullptr) {
+        const char* const said = dlerror();
+        const std::string reason = said == nullptr ? "" : said;
+        // The loader's words for memory that is too short.
+        for (const char* sign : {"failed to map", "annot allocate", "annot create"})
+            if (reason.find(sign) != std::string::npos) throw std::bad_alloc();
         throw core::Error(module.lexically_normal().string(),
-                          "images need this module, and it cannot be loaded",
+                          "images need this module, and it cannot be loaded: " + reason,
                           "the file that is built and installed with this program");
     }
     return *reinterpret_cast<const ImageFunctions* (*)()>(found)();

@@ -58,7 +58,7 @@ PictureChannels find_channels(const OIIO::ImageSpec& spec, const fs::path& path)
 
 /// What a screen shows for linear light (IEC 61966-2-1), 0..1.
 float shown(float light) {
-    if (!(light > 0)) return 0;  // NaN, too
+    if (light <= 0) return 0;
     if (light >= 1) return 1;
     return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
 }
@@ -74,6 +74,19 @@ float to_share(std::uint8_t sample) {
     return static_cast<float>(sample) / 255;
 }
 
+[[noreturn]] void refuse_number(const OpenFile& file,
+                                int channel,
+                                float value,
+                                std::array<int, 2> at_px) {
+    throw core::Error(file.path,
+                      fmt::format("channel {} is {} at pixel {},{}",
+                                  file.spec.channelnames[static_cast<std::size_t>(channel)],
+                                  std::isnan(value) ? "not a number" : "infinite",
+                                  at_px[0],
+                                  at_px[1]),
+                      "finite numbers");
+}
+
 /// Reads the channels of a picture as numbers of type T. `is_light`: values are linear light,
 /// multiplied by alpha.
 template <class T>
@@ -84,16 +97,22 @@ void read_pixels(OpenFile& file, const PictureChannels& channels, bool is_light,
     const auto stride = static_cast<std::size_t>(*most + 1 - *least);
     const std::vector<T> samples = read_samples<T>(file, *least, *most + 1);
     for (std::size_t i = 0; i < picture.colour.size(); ++i) {
+        const int x = static_cast<int>(i) % file.width_px;
+        const int y = static_cast<int>(i) / file.width_px;
         const auto at = [&](int channel) {
-            return to_share(samples[i * stride + static_cast<std::size_t>(channel - *least)]);
+            const float value =
+                to_share(samples[i * stride + static_cast<std::size_t>(channel - *least)]);
+            if (!std::isfinite(value)) refuse_number(file, channel, value, {x, y});
+            return value;
         };
-        const float alpha = channels.alpha < 0 ? 1 : at(channels.alpha);
+        const float held = file.holds(x, y) ? 1 : 0;
+        const float alpha = channels.alpha < 0 ? held : at(channels.alpha);
         for (int c = 0; c < 3; ++c) {
             const float value = at(channels.colour[static_cast<std::size_t>(c)]);
             const float straight = is_light && alpha > 0 ? value / alpha : value;
             picture.colour.data()[i][c] = to_byte(is_light ? shown(straight) : straight);
         }
-        if (channels.alpha >= 0) picture.alpha.data()[i] = to_byte(alpha);
+        if (!picture.alpha.is_empty()) picture.alpha.data()[i] = to_byte(alpha);
     }
 }
 
@@ -104,9 +123,9 @@ Picture read_picture(const fs::path& path) {
     const PictureChannels channels = find_channels(file.spec, path);
     const OIIO::TypeDesc type = file.spec.channelformat(channels.colour[0]);
     const bool is_light = type.is_floating_point();  // whole numbers are what a screen gets
-    Picture picture{core::Image<Rgb>(file.spec.width, file.spec.height), {}};
-    if (channels.alpha >= 0)
-        picture.alpha = core::Image<std::uint8_t>(file.spec.width, file.spec.height);
+    Picture picture{core::Image<Rgb>(file.width_px, file.height_px), {}};
+    if (channels.alpha >= 0 || !file.holds_all())
+        picture.alpha = core::Image<std::uint8_t>(file.width_px, file.height_px);
     if (type == OIIO::TypeDesc::UINT8) {
         read_pixels<std::uint8_t>(file, channels, is_light, picture);
     } else {
@@ -114,6 +133,15 @@ Picture read_picture(const fs::path& path) {
     }
     if (!channels.layer.empty())
         picture.notes.push_back(fmt::format("layer {} of it", channels.layer));
+    if (!file.is_as_held()) {
+        picture.notes.push_back(
+            fmt::format("its display window, of which it holds {} x {} px "
+                        "from {},{}",
+                        file.spec.width,
+                        file.spec.height,
+                        file.left_px,
+                        file.top_px));
+    }
     if (is_light) {
         picture.notes.emplace_back("float values as a screen shows them (sRGB)");
     } else if (type != OIIO::TypeDesc::UINT8) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "core/error.h"
+#include "draw/exr_layers.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "tests/core/error_text.h"
@@ -154,6 +156,23 @@ TEST_F(ScoreFiles, RefusesAnExrWithoutLabels) {
     image_io::write_exr({{{"Y", core::Image<float>(4, 4, 1.0F)}}, {}}, folder_ / "other.exr");
     const fs::path drawn = write("drawn.png", line_image(255, 0));
     EXPECT_THROW((void)score_files(drawn, folder_ / "other.exr", {}), core::Error);
+}
+
+TEST_F(ScoreFiles, NoValueIsInfinite) {
+    core::Image<float> light(32, 24, 0.0F);
+    light.at(5, 7) = std::numeric_limits<float>::infinity();
+    fs::create_directories(folder_ / "drawn");
+    image_io::write_exr({{{"Y", light}}, {}}, folder_ / "drawn/a.exr");
+    const fs::path truth = write("truth/a.png", line_image(1, 0));
+    const auto scores =
+        score_folders(folder_ / "drawn", folder_ / "truth", {}, [](const auto&, const auto&) {});
+    EXPECT_THAT(scores.at(0).status, HasSubstr("a.exr: channel Y is infinite at pixel 5,7"));
+    image_io::write_exr(
+        {{{"class.label", core::Image<std::uint32_t>(32, 24, 0)}, {kCoverageChannel, light}}, {}},
+        folder_ / "truth.exr");
+    const fs::path drawn = write("drawn.png", line_image(255, 0));
+    EXPECT_THAT(core::error_text([&] { return score_files(drawn, folder_ / "truth.exr", {}); }),
+                HasSubstr("is inf at pixel 5,7"));
 }
 
 TEST_F(ScoreFiles, PictureShowsHitsMissesAndFalseLines) {

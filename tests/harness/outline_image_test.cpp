@@ -9,6 +9,7 @@
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "tests/core/temp_folder.h"
+#include "tests/image_io/display_window.h"
 
 namespace ink::harness {
 namespace {
@@ -151,6 +152,31 @@ TEST_F(OutlineFile, AlphaThatHidesNothingIsNotMentioned) {
     path_.replace_extension(".exr");
     image_io::write_exr({{{"A", ground}, {"Y", ground}}, {}}, path_);
     EXPECT_THAT(read().notes, ElementsAre(HasSubstr("float values")));
+}
+
+TEST(CroppedImage, HasGroundWhereItHoldsNothing) {
+    const core::TempFolder folder;
+    const fs::path path = folder / "crop.exr";
+    for (const bool is_dark : {true, false}) {
+        core::Image<float> light(40, 30, is_dark ? 1.0F : 0.0F);
+        for (int x = 0; x < 40; ++x)
+            light.at(x, 15) = is_dark ? 0.0F : 1.0F;
+        image_io::write_exr({{{"Y", light}}, {}}, path);
+        image_io::set_display_window(path, {-12, -9, 51, 38});
+        const OutlineImage outline = read_outline_image(path);
+        EXPECT_EQ(outline.is_inverted, is_dark);
+        EXPECT_THAT(
+            outline.notes,
+            testing::Contains("its display window, of which it holds 40 x 30 px from 12,9"));
+        ASSERT_EQ(outline.responses.width_px(), 64);
+        ASSERT_EQ(outline.responses.height_px(), 48);
+        for (int y = 0; y < 48; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                const bool is_line = y == 24 && x >= 12 && x < 52;
+                EXPECT_EQ(outline.responses.at(x, y), is_line ? 255 : 0) << x << "," << y;
+            }
+        }
+    }
 }
 
 }  // namespace

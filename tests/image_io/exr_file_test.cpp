@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <limits>
 #include <map>
 
 #include "core/error.h"
 #include "core/whole_file.h"
+#include "image_io/picture_file.h"
 #include "tests/core/temp_folder.h"
+#include "tests/image_io/display_window.h"
 
 namespace ink::image_io {
 namespace {
@@ -66,6 +69,54 @@ TEST_F(Exr, KeepsItsAttributes) {
     ASSERT_TRUE(found.contains("ink:scene") && found.contains("ink:crease_deg"));
     EXPECT_EQ(std::get<std::string>(found.at("ink:scene")), "cube \"one\"");
     EXPECT_EQ(std::get<double>(found.at("ink:crease_deg")), 40.25);
+}
+
+TEST_F(Exr, IsItsDisplayWindow) {
+    core::Image<float> light(4, 3);
+    core::Image<std::uint32_t> ids(4, 3);
+    for (int i = 0; i < 12; ++i) {
+        light.data()[i] = static_cast<float>(i + 1) / 16;
+        ids.data()[i] = static_cast<std::uint32_t>(i + 1);
+    }
+    write_exr({{{"Y", light}, {"id", ids}}, {}}, file("whole.exr"));
+    const Picture whole = read_picture(file("whole.exr"));
+    EXPECT_TRUE(whole.alpha.is_empty());
+    // As written, a crop, overscan, both, and a window beside all pixels.
+    const std::array<std::int32_t, 4> windows[] = {
+        {0, 0, 3, 2}, {-2, -1, 5, 4}, {1, 1, 2, 1}, {1, -3, 9, 1}, {-9, 0, -2, 3}, {2, 2, 3, 9}};
+    for (const auto& window : windows) {
+        SCOPED_TRACE(testing::PrintToString(window));
+        write_exr({{{"Y", light}, {"id", ids}}, {}}, file("a.exr"));
+        set_display_window(file("a.exr"), window);
+        const ExrFile read = read_exr(file("a.exr"));
+        const Picture picture = read_picture(file("a.exr"));
+        const auto& read_light = std::get<core::Image<float>>(read.channels[0].pixels);
+        const auto& read_ids = std::get<core::Image<std::uint32_t>>(read.channels[1].pixels);
+        const int width = window[2] - window[0] + 1;
+        const int height = window[3] - window[1] + 1;
+        ASSERT_EQ(read_light.width_px(), width);
+        ASSERT_EQ(read_ids.height_px(), height);
+        ASSERT_EQ(picture.colour.width_px(), width);
+        ASSERT_EQ(picture.colour.height_px(), height);
+        bool holds_all = true;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const int from_x = x + window[0];
+                const int from_y = y + window[1];
+                const bool is_held = light.contains(from_x, from_y);
+                holds_all = holds_all && is_held;
+                EXPECT_EQ(read_light.at(x, y), is_held ? light.at(from_x, from_y) : 0);
+                EXPECT_EQ(read_ids.at(x, y), is_held ? ids.at(from_x, from_y) : 0);
+                if (is_held) {
+                    EXPECT_EQ(picture.colour.at(x, y), whole.colour.at(from_x, from_y));
+                } else {
+                    ASSERT_FALSE(picture.alpha.is_empty());
+                    EXPECT_EQ(picture.alpha.at(x, y), 0);
+                }
+            }
+        }
+        EXPECT_EQ(picture.alpha.is_empty(), holds_all);
+    }
 }
 
 TEST_F(Exr, IsTheSameFileTwice) {

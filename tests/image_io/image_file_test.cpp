@@ -4,14 +4,20 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <map>
+#include <set>
 #include <string>
 
 #include "core/error.h"
 #include "image_io/exr_file.h"
 #include "image_io/picture_file.h"
+#include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
 #include "tests/score/oracle_files.h"
 
@@ -193,12 +199,195 @@ ink::core::Image<float> floats(const std::vector<float>& values) {
 }
 
 TEST_F(ImageFile, APictureOfFloatsIsWhatAScreenShows) {
-    const auto values = floats({0, 0.21586F, 1, 7, std::nanf("")});
+    const auto values = floats({0, 0.21586F, 1, 7, -2});
     write_exr({{{"Y", values}}, {}}, file("light.exr"));
     const auto picture = read_picture(file("light.exr"));
     constexpr std::uint8_t kShown[] = {0, 128, 255, 255, 0};
     for (int x = 0; x < 5; ++x)
         EXPECT_EQ(picture.colour.at(x, 0), Rgb(kShown[x])) << x;
+}
+
+TEST_F(ImageFile, APictureHasNoValueThatIsNoNumber) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const auto refused = [&](float value, float alpha) {
+        ink::core::Image<float> light(3, 2, 0.5F);
+        ink::core::Image<float> cover(3, 2, 1.0F);
+        light.at(2, 1) = value;
+        cover.at(1, 0) = alpha;
+        write_exr({{{"A", cover}, {"Y", light}}, {}}, file("a.exr"));
+        return ink::core::error_text([&] { return read_picture(file("a.exr")); });
+    };
+    EXPECT_EQ(refused(2, 1), "");
+    EXPECT_THAT(refused(std::nanf(""), 1),
+                testing::HasSubstr("channel Y is not a number at pixel 2,1"));
+    for (const float infinite : {kInfinity, -kInfinity})
+        EXPECT_THAT(refused(infinite, 1), testing::HasSubstr("channel Y is infinite at pixel 2,1"));
+    EXPECT_THAT(refused(1, std::nanf("")),
+                testing::HasSubstr("channel A is not a number at pixel 1,0"));
+}
+
+/// Numbers of so many bytes each, the lowest byte first.
+void put(std::vector<std::uint8_t>& bytes, int n_bytes, const std::vector<unsigned>& values) {
+    for (const unsigned value : values) {
+        for (int i = 0; i < n_bytes; ++i)
+            bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    }
+}
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes with_pixels(Bytes header, const Gray& image) {
+    header.insert(header.end(), image.data(), image.data() + image.size());
+    return header;
+}
+
+/// A TIFF of strips whose directory comes before them.
+Bytes tiff_of(const Gray& image) {
+    constexpr unsigned kStripRows = 16;
+    const auto width = static_cast<unsigned>(image.width_px());
+    const auto height = static_cast<unsigned>(image.height_px());
+    const unsigned strips = height / kStripRows;
+    constexpr unsigned kEntries = 9;
+    constexpr unsigned kOffsets = 8 + 2 + 12 * kEntries + 4;
+    const unsigned counts = kOffsets + 4 * strips;
+    const unsigned pixels = counts + 4 * strips;
+    Bytes file = {'I', 'I', 42, 0};
+    put(file, 4, {8});
+    put(file, 2, {kEntries});
+    const auto entry = [&](unsigned tag, unsigned count, unsigned value) {
+        put(file, 2, {tag, 4});
+        put(file, 4, {count, value});
+    };
+    entry(256, 1, width);
+    entry(257, 1, height);
+    entry(258, 1, 8);  // bits
+    entry(259, 1, 1);  // not compressed
+    entry(262, 1, 1);  // black is 0
+    entry(273, strips, kOffsets);
+    entry(277, 1, 1);  // grey
+    entry(278, 1, kStripRows);
+    entry(279, strips, counts);
+    put(file, 4, {0});
+    for (unsigned i = 0; i < strips; ++i)
+        put(file, 4, {pixels + i * kStripRows * width});
+    for (unsigned i = 0; i < strips; ++i)
+        put(file, 4, {kStripRows * width});
+    return with_pixels(file, image);
+}
+
+/// A baseline JPEG, each block of 8 x 8 px in the grey of its first pixel.
+Bytes jpeg_of(const Gray& image) {
+    Bytes file = {0xff, 0xd8, 0xff, 0xdb, 0, 67, 0, 8};
+    file.insert(file.end(), 63, 1);  // the first coefficient is one eighth of a sum of 64
+    const auto high_first = [&](int value) {
+        file.push_back(static_cast<std::uint8_t>(value >> 8));
+        file.push_back(static_cast<std::uint8_t>(value));
+    };
+    const auto add = [&](const Bytes& bytes) {
+        file.insert(file.end(), bytes.begin(), bytes.end());
+    };
+    add({0xff, 0xc0, 0, 11, 8});
+    high_first(image.height_px());
+    high_first(image.width_px());
+    add({1, 1, 0x11, 0});
+    add({0xff, 0xc4, 0, 29, 0, 0, 0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    add({0, 1, 2, 3, 4, 5, 6, 7, 8, 9});  // how many bits follow: ten codes of four bits
+    add({0xff, 0xc4, 0, 20, 0x10, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    add({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0});
+    unsigned held = 1;  // the bits under way, below a 1
+    const auto bits = [&](int count, int value) {
+        for (int i = count - 1; i >= 0; --i) {
+            held = held << 1 | (static_cast<unsigned>(value) >> i & 1U);
+            if (held < 256) continue;
+            file.push_back(static_cast<std::uint8_t>(held));
+            if (file.back() == 0xff) file.push_back(0);
+            held = 1;
+        }
+    };
+    int before = 0;
+    for (int y = 0; y < image.height_px(); y += 8) {
+        for (int x = 0; x < image.width_px(); x += 8) {
+            const int level = image.at(x, y) - 128;
+            const int step = level - before;
+            before = level;
+            const int count =
+                static_cast<int>(std::bit_width(static_cast<unsigned>(std::abs(step))));
+            bits(4, count);
+            bits(count, step < 0 ? step + (1 << count) - 1 : step);
+            bits(1, 0);  // all other coefficients are 0
+        }
+    }
+    bits(7, 127);
+    add({0xff, 0xd9});
+    return file;
+}
+
+/// Files of one image in formats that can be written down.
+std::map<std::string, Bytes> files_of(const Gray& image) {
+    const auto size = std::to_string(image.width_px()) + " " + std::to_string(image.height_px());
+    std::map<std::string, Bytes> files;
+    files["a.pgm"] = with_pixels(anymap("P5\n" + size + "\n255\n", 0), image);
+    files["a.tif"] = tiff_of(image);
+    files["a.jpg"] = jpeg_of(image);
+    Bytes tga = {0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    put(tga,
+        2,
+        {static_cast<unsigned>(image.width_px()), static_cast<unsigned>(image.height_px())});
+    put(tga, 1, {8, 0x20});
+    files["a.tga"] = with_pixels(tga, image);
+    Bytes bmp = {'B', 'M'};
+    const auto n_pixels = static_cast<unsigned>(image.size());
+    put(bmp, 4, {54 + 1024 + n_pixels, 0, 54 + 1024, 40});
+    put(bmp,
+        4,
+        {static_cast<unsigned>(image.width_px()), static_cast<unsigned>(image.height_px())});
+    put(bmp, 2, {1, 8});
+    put(bmp, 4, {0, n_pixels, 2835, 2835, 256, 0});
+    for (unsigned i = 0; i < 256; ++i)
+        put(bmp, 1, {i, i, i, 0});
+    files["a.bmp"] = with_pixels(bmp, image);
+    const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
+                            std::to_string(image.height_px()) + " +X " +
+                            std::to_string(image.width_px()) + "\n";
+    Bytes& light = files["a.hdr"] = {hdr.begin(), hdr.end()};
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const unsigned mantissa = image.data()[i] | 128U;
+        put(light, 1, {mantissa, mantissa, mantissa, 128});
+    }
+    return files;
+}
+
+TEST_F(ImageFile, NoFormatIsReadWhereItIsCutOff) {
+    std::map<std::string, Bytes> files = files_of(noise());
+    ink::core::Image<float> light(64, 64);
+    const Gray grey = noise();
+    std::transform(grey.data(), grey.data() + grey.size(), light.data(), [](int v) {
+        return static_cast<float>(v) / 255;
+    });
+    write_exr({{{"Y", light}}, {}}, file("whole.exr"));
+    files["a.exr"] = bytes_of(file("whole.exr"));
+    for (const auto& [name, whole] : files) {
+        SCOPED_TRACE(name);
+        const Colour pixels = read_picture(file_of(name, whole)).colour;
+        EXPECT_GT(std::set<int>(&pixels.data()->r, &pixels.data()->r + 3 * pixels.size()).size(),
+                  9U);
+        const auto cut_at = [&](std::size_t kept) {
+            return file_of("cut" + name.substr(1),
+                           {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(kept)});
+        };
+        const std::size_t step = whole.size() / 40 + 1;
+        for (std::size_t kept = 1; kept < whole.size(); kept += step) {
+            const fs::path cut = cut_at(kept);
+            try {
+                EXPECT_EQ(read_picture(cut).colour, pixels) << kept;
+            } catch (const ink::core::Error& error) {
+                EXPECT_EQ(error.where(), cut.string());
+            }
+        }
+        EXPECT_THAT(
+            ink::core::error_text([&] { return read_picture(cut_at(whole.size() * 3 / 4)); }),
+            testing::HasSubstr("the file is cut off"));
+    }
 }
 
 TEST_F(ImageFile, APictureOfLightHasItsAlphaTakenOut) {
