@@ -1,11 +1,21 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <exception>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "cli/commands/commands.h"
@@ -101,8 +111,37 @@ constexpr int kBadInput = 2;
 int refuse(std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
     message.erase(message.find_last_not_of(' ') + 1);
-    fmt::print(stderr, "inkbench: {}\n", message);
+    std::fputs(fmt::format("inkbench: {}\n", message).c_str(), stderr);  // throws nothing
     return kBadInput;
+}
+
+/// Keeps files that are opened later from the numbers of streams that were closed: what is printed
+/// would go into them. False if standard output is closed.
+bool has_open_streams() {
+    const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) != -1; };
+    const bool has_output = is_open(STDOUT_FILENO);
+    for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (!is_open(fd)) (void)open("/dev/null", O_RDWR);  // takes the lowest free number
+    }
+    return has_output;
+}
+
+/// The exit code where standard output took not all. A pipe whose reader has gone ends the program
+/// without a word, as its signal does where nobody ignores it.
+int refuse_output(const std::string& reason) {
+    constexpr int kBrokenPipe = 128 + SIGPIPE;
+    pollfd output{STDOUT_FILENO, 0, 0};
+    if (poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0) return kBrokenPipe;
+    return refuse("standard output cannot be written" + (reason.empty() ? "" : ": " + reason));
+}
+
+/// The exit code, once all that was printed has arrived.
+int finish(int code) {
+    errno = 0;
+    std::cout.flush();
+    std::fflush(stdout);
+    if (std::cout && std::ferror(stdout) == 0) return code;
+    return refuse_output(errno == 0 ? "" : std::strerror(errno));
 }
 
 void check_subcommand(const CLI::App& app, int argc, char** argv) {
@@ -113,20 +152,16 @@ void check_subcommand(const CLI::App& app, int argc, char** argv) {
     }
 }
 
-}  // namespace
-}  // namespace ink::cli
-
-int main(int argc, char** argv) {
-    using namespace ink;
-    using namespace ink::cli;
+/// Does what the command line asks for and returns the exit code.
+int run(int argc, char** argv) {
     const auto app = make_program();
     try {
         check_subcommand(*app, argc, argv);
         app->parse(argc, argv);
     } catch (const CLI::RuntimeError& stop) {
-        return stop.get_exit_code();
+        return finish(stop.get_exit_code());
     } catch (const CLI::Success& help) {
-        return app->exit(help);
+        return finish(app->exit(help));
     } catch (const CLI::ParseError& error) {
         return refuse(complaint(*app, error));
     } catch (const core::Error& error) {
@@ -135,6 +170,23 @@ int main(int argc, char** argv) {
         return refuse(core::refused_path(error).what());
     } catch (const std::bad_alloc&) {
         return refuse("there is not enough memory for this");
+    } catch (const std::system_error& error) {
+        const bool is_output = std::ferror(stdout) != 0;  // fmt could not print
+        return is_output ? refuse_output(error.code().message()) : refuse(error.what());
+    } catch (const std::exception& error) {
+        const bool is_thread = std::string_view(error.what()).find("pthread") != std::string::npos;
+        return refuse(is_thread ? "no thread can be started: there is not enough memory, or there "
+                                  "are too many processes"
+                                : error.what());
     }
-    return 0;
+    return finish(0);
+}
+
+}  // namespace
+}  // namespace ink::cli
+
+int main(int argc, char** argv) {
+    using namespace ink::cli;
+    if (!has_open_streams()) return refuse("standard output is closed");
+    return run(argc, argv);
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 namespace ink::core {
 namespace {
@@ -17,8 +19,14 @@ constexpr int kMostSeconds = 100;       // above, minutes are exact enough
 }  // namespace
 
 ProgressDisplay& progress_display() {
-    static ProgressDisplay display{.is_terminal = isatty(STDERR_FILENO) != 0};
+    static ProgressDisplay display{.is_terminal = isatty(STDERR_FILENO) != 0 &&
+                                                  moves_cursor(std::getenv("TERM"))};
     return display;
+}
+
+bool moves_cursor(const char* terminal) {
+    const std::string_view name = terminal == nullptr ? "" : terminal;
+    return !name.empty() && name != "dumb";
 }
 
 std::string rough_time(double seconds) {
@@ -39,7 +47,7 @@ Progress::Progress(std::string label, int total, ProgressDisplay& display)
 }
 
 Progress::~Progress() {
-    if (is_drawn_) fmt::print(display_.stream, "\r\033[K");
+    if (is_drawn_) std::fputs("\r\033[K", display_.stream);
 }
 
 void Progress::report(int done, const std::string& what) {
@@ -61,12 +69,16 @@ void Progress::report(int done, const std::string& what) {
 
 void Progress::draw_line(int done, const std::string& left, const std::string& what) {
     is_drawn_ = true;
-    fmt::print(display_.stream, "\r\033[K{} {}/{}{}  {}", label_, done, total_, left, what);
+    print(fmt::format("\r\033[K{} {}/{}{}  {}", label_, done, total_, left, what));
 }
 
 void Progress::write_line(int done, const std::string& left, const std::string& what) {
     const char* comma = what.empty() ? "" : ", ";
-    fmt::print(display_.stream, "{}: {}/{}{}{}{}\n", label_, done, total_, left, comma, what);
+    print(fmt::format("{}: {}/{}{}{}{}\n", label_, done, total_, left, comma, what));
+}
+
+void Progress::print(const std::string& text) {
+    std::fputs(text.c_str(), display_.stream);  // a log that is full ends no work
 }
 
 }  // namespace ink::core

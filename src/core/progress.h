@@ -10,8 +10,10 @@ namespace ink::core {
 /// Where lines of progress go, and when the last one went there.
 struct ProgressDisplay {
     std::FILE* stream = stderr;
-    bool is_terminal = false;  ///< else a log or a pipe, which gets whole lines, ten seconds apart
-    bool is_quiet = false;     ///< nothing at all is written
+    /// A terminal on which a line can be drawn again; else a log, a pipe or a plain terminal, which
+    /// gets whole lines, ten seconds apart.
+    bool is_terminal = false;
+    bool is_quiet = false;  ///< nothing at all is written
     std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now;
     /// Of the last line of a log; at first, of the first work that was announced.
     std::chrono::steady_clock::time_point last_line = {};
@@ -20,6 +22,10 @@ struct ProgressDisplay {
 /// The display of the process: stderr. The program may make it quiet before work begins; nobody
 /// else changes it.
 [[nodiscard]] ProgressDisplay& progress_display();
+
+/// Whether a terminal of this name (what TERM says, or null) takes a line back that it shows: not
+/// "dumb", nor one without a name.
+[[nodiscard]] bool moves_cursor(const char* terminal);
 
 /// How far long work is and how long it will take: `compare 12/81, 2 min left  torus view1`.
 ///
@@ -42,6 +48,7 @@ class Progress {
   private:
     void draw_line(int done, const std::string& left, const std::string& what);
     void write_line(int done, const std::string& left, const std::string& what);
+    void print(const std::string& text);
 
     std::string label_;
     int total_;

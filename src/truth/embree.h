@@ -168,15 +168,23 @@ inline void put(const RTCRay& ray, std::size_t i, RTCRayHit16& packet) {
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
 }
 
+/// Refuses what Embree could not do, in the name of `who`; `device` may be null where it did not
+/// start. Memory that is too short is told apart from all else.
+inline void check_done(RTCDevice device, const char* who, const char* what, const char* accepted) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+        throw core::Error(who, "Embree found no memory for the scene", "a smaller scene");
+    if (error != RTC_ERROR_NONE || device == nullptr) throw core::Error(who, what, accepted);
+}
+
 /// Builds the tree of a mesh's faces, with each vertex where `place(p_world)` puts it, which is
 /// rounded to floats. Throws core::Error in the name of `who`.
 template <class Place>
 void build(
     Handles& handles, const scene::Topology& topology, int threads, const char* who, Place place) {
     handles.device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-    if (handles.device == nullptr) {
-        throw core::Error(who, "Embree could not start", "a CPU with at least SSE2");
-    }
+    if (handles.device == nullptr)
+        check_done(nullptr, who, "Embree could not start", "a CPU with at least SSE2");
     handles.scene = rtcNewScene(handles.device);
     rtcSetSceneFlags(handles.scene, kSceneFlags);
     if (!topology.faces.empty()) {
@@ -204,9 +212,7 @@ void build(
         rtcReleaseGeometry(geometry);
     }
     rtcCommitScene(handles.scene);
-    if (rtcGetDeviceError(handles.device) != RTC_ERROR_NONE) {
-        throw core::Error(who, "Embree could not build the scene", "a smaller scene");
-    }
+    check_done(handles.device, who, "Embree could not build the scene", "a smaller scene");
 }
 
 }  // namespace ink::truth::embree

@@ -82,6 +82,24 @@ TEST_F(ProgressTest, ATerminalsLineIsDrawnAgainAndWiped) {
         "\r\033[Ktune 0/3  first\r\033[Ktune 1/3, 2 s left  " + std::string(60, 'w') + "\r\033[K");
 }
 
+TEST_F(ProgressTest, APlainTerminalIsOneThatTakesNoLineBack) {
+    EXPECT_TRUE(moves_cursor("xterm-256color"));
+    EXPECT_FALSE(moves_cursor("dumb"));
+    EXPECT_FALSE(moves_cursor(""));
+    EXPECT_FALSE(moves_cursor(nullptr));
+}
+
+TEST_F(ProgressTest, AFullLogEndsNoWork) {
+    std::FILE* full = std::fopen("/dev/full", "w");
+    ASSERT_NE(full, nullptr);
+    std::setbuf(full, nullptr);
+    display_.is_terminal = true;
+    std::swap(display_.stream, full);
+    EXPECT_NO_THROW(Progress("compare", 3, display_).report(1, "torus"));
+    std::swap(display_.stream, full);
+    std::fclose(full);
+}
+
 TEST_F(ProgressTest, AQuietDisplayStaysEmpty) {
     display_.is_quiet = true;
     for (const bool is_terminal : {false, true}) {

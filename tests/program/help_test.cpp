@@ -15,12 +15,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kCommands[] = {
-    "compare",      "advise",     "draw", "truth",       "score", "explain",
-    "figures",      "timedemo",   "tune", "stress",      "run",   "merge",
-    "bound",        "report",     "page", "diff",        "bake",  "export",
-    "entrant-test", "new-method", "list", "completions", "help"};
-
 std::string expect_done(const Words& words) {
     return expect_done(Desk(), words);
 }

@@ -85,6 +85,13 @@ std::string refusal(const Desk& desk, const Words& words);
 /// The same; the line must name all of `parts`.
 void expect_refused(const Desk& desk, const Words& words, const Words& parts);
 
+/// Every command.
+inline constexpr const char* kCommands[] = {
+    "compare",      "advise",     "draw", "truth",       "score", "explain",
+    "figures",      "timedemo",   "tune", "stress",      "run",   "merge",
+    "bound",        "report",     "page", "diff",        "bake",  "export",
+    "entrant-test", "new-method", "list", "completions", "help"};
+
 /// A cube and a triangle as model files.
 inline constexpr const char* kCubeObj =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
