@@ -14,6 +14,7 @@ bool is_same_view(const scene::View& a, const scene::View& b) {
     return a.width_px == b.width_px && a.height_px == b.height_px &&
            a.camera.eye_world == b.camera.eye_world &&
            a.camera.view_from_world == b.camera.view_from_world &&
+           a.camera.viewpoint() == b.camera.viewpoint() &&
            a.camera.fov_y_rad == b.camera.fov_y_rad &&
            a.camera.height_world == b.camera.height_world && a.camera.near == b.camera.near &&
            a.camera.far == b.camera.far;

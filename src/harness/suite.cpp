@@ -121,8 +121,10 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
     if (is_round || !(request.file_cameras || is_catalogue_scene)) return orbit_of(scene, request);
     std::vector<scene::Camera> cameras = scene.cameras;
     const bool is_posed = request.time_s || request.frame;
-    for (std::size_t c = 0; c < cameras.size() && is_posed && !is_catalogue_scene; ++c)
+    for (std::size_t c = 0; c < cameras.size() && is_posed && !is_catalogue_scene; ++c) {
         scene::fit_clip_range(cameras[c], bounds);  // it or the scene has moved
+        scene::stand_before(cameras[c], bounds);
+    }
     return under_projections(cameras, request, bounds);
 }
 
@@ -191,9 +193,15 @@ scene::Camera make_camera(const CameraRequest& request,
     }
     const glm::dvec3 target_world =
         request.target_world ? *request.target_world - origin : bounds.center_world;
-    scene::Camera camera =
-        scene::look_at(request.eye_world - origin, target_world, request.up_world, fov_y_rad);
-    camera.height_world = request.height_world.value_or(0);
+    const glm::dvec3 eye_world = request.eye_world - origin;
+    if (request.height_world) {
+        const glm::dvec3 way_world = request.target_world
+                                         ? *request.target_world - request.eye_world
+                                         : target_world - eye_world;
+        return scene::parallel_camera(
+            {target_world, way_world, request.up_world, *request.height_world}, bounds);
+    }
+    scene::Camera camera = scene::look_at(eye_world, target_world, request.up_world, fov_y_rad);
     scene::fit_clip_range(camera, bounds);
     return camera;
 }

@@ -200,6 +200,7 @@ std::vector<scene::CameraMotion> take_cameras(const std::vector<ImportedCamera>&
             camera.height_world = from.height_world;
             camera.name = camera_name(from.name, taken);
             scene::fit_clip_range(camera, bounds);
+            scene::stand_before(camera, bounds);
             scene.cameras.push_back(std::move(camera));
             motions.push_back(from.motion);
         } catch (const core::Error&) {

@@ -28,6 +28,33 @@ glm::dvec3 near_unit(const glm::dvec3& v) {
     return {std::scalbn(v.x, down), std::scalbn(v.y, down), std::scalbn(v.z, down)};
 }
 
+/// How far along the view direction the middle of the ball lies.
+double middle_depth(const Camera& camera, const Sphere& bounds) {
+    return -(camera.view_from_world * (bounds.center_world - camera.eye_world)).z;
+}
+
+double radius_of(const Sphere& bounds) {
+    return bounds.radius > 0 ? bounds.radius : 1.0;
+}
+
+constexpr double kLeastNear_radii = 1e-4;
+constexpr double kFarOff_radii = 64;  ///< beyond it a camera's digits may show
+
+/// From where a pinhole of 40 degrees would see as much as a parallel camera of that height.
+double distance_of_pinhole(double height_world) {
+    return height_world / (2 * std::tan(Camera{}.fov_y_rad / 2));
+}
+
+/// The depth at which a parallel camera that stands before a ball has its middle.
+double standing_depth(const Camera& camera, const Sphere& bounds) {
+    return std::max(2 * radius_of(bounds), distance_of_pinhole(camera.height_world));
+}
+
+bool is_before(const Camera& camera, const Sphere& bounds) {
+    const double radius = radius_of(bounds);
+    return middle_depth(camera, bounds) - radius >= kLeastNear_radii * radius;
+}
+
 }  // namespace
 
 Camera look_at(const glm::dvec3& eye_world,
@@ -56,6 +83,7 @@ Camera look_at(const glm::dvec3& eye_world,
     Camera camera;
     camera.eye_world = eye_world;
     camera.view_from_world = glm::transpose(glm::dmat3(right, up, back));
+    camera.sight_world = near_unit(view_direction);
     camera.fov_y_rad = fov_y_rad;
     return camera;
 }
@@ -63,19 +91,45 @@ Camera look_at(const glm::dvec3& eye_world,
 void fit_clip_range(Camera& camera, const Sphere& bounds) {
     // Along the view direction, where depth is measured: a ball off to the side begins before
     // distance - radius.
-    const glm::dvec3 center_view =
-        camera.view_from_world * (bounds.center_world - camera.eye_world);
-    const double radius = bounds.radius > 0 ? bounds.radius : 1.0;
-    camera.near = std::max(-center_view.z - radius, 1e-4 * radius);
-    const double far = -center_view.z + radius;
+    const double depth = middle_depth(camera, bounds), radius = radius_of(bounds);
+    camera.near = std::max(depth - radius, kLeastNear_radii * radius);
+    const double far = depth + radius;
     camera.far = far > camera.near ? far : 2 * camera.near;
+}
+
+void stand_before(Camera& camera, const Sphere& bounds) {
+    if (!camera.is_parallel() || !is_before(camera, bounds)) return;
+    const double nearer = middle_depth(camera, bounds) - standing_depth(camera, bounds);
+    if (camera.near <= nearer) return;  // nothing is seen that is so near
+    camera.eye_world += nearer * camera.viewpoint().at_world;
+    camera.near -= nearer;
+    camera.far -= nearer;
+}
+
+Camera parallel_camera(const ParallelLook& look, const Sphere& bounds) {
+    const glm::dvec3 eye_world = look.target_world - look.way_world;
+    Camera camera = look_at(eye_world, look.target_world, look.up_world, Camera{}.fov_y_rad);
+    // Quotients are the same for all multiples of a direction; its length may be rounded otherwise.
+    const glm::dvec3 size = glm::abs(look.way_world);
+    const glm::dvec3 unit = look.way_world / std::max({size.x, size.y, size.z});
+    camera.view_from_world =
+        look_at(-unit, glm::dvec3(0), look.up_world, Camera{}.fov_y_rad).view_from_world;
+    camera.sight_world = near_unit(look.way_world);
+    camera.height_world = look.height_world;
+    if (is_before(camera, bounds)) {
+        // From the target, of which no digit depends on how far away the eye is.
+        camera.eye_world = look.target_world;
+        const double back = standing_depth(camera, bounds) - middle_depth(camera, bounds);
+        camera.eye_world -= back * camera.viewpoint().at_world;
+    }
+    fit_clip_range(camera, bounds);
+    return camera;
 }
 
 Camera projected(ProjectionKind kind, const Camera& camera, const Sphere& bounds) {
     if (kind == camera.projection()) return camera;
-    const glm::dvec3 center_view =
-        camera.view_from_world * (bounds.center_world - camera.eye_world);
-    const double depth = std::max(-center_view.z, std::max(bounds.radius, camera.near));
+    const double depth =
+        std::max(middle_depth(camera, bounds), std::max(bounds.radius, camera.near));
     Camera result = camera;
     if (kind == ProjectionKind::parallel) {
         result.height_world = 2 * depth * std::tan(camera.fov_y_rad / 2);
@@ -83,6 +137,7 @@ Camera projected(ProjectionKind kind, const Camera& camera, const Sphere& bounds
         Camera fitted = result;
         fit_clip_range(fitted, bounds);
         result.far = std::max(result.far, fitted.far);
+        if (depth > kFarOff_radii * radius_of(bounds)) stand_before(result, bounds);
     } else {
         constexpr double kRadPerDeg = std::numbers::pi / 180;
         result.height_world = 0;
@@ -104,8 +159,7 @@ Projection::Projection(const View& view)
       center_px_(view.width_px / 2.0, view.height_px / 2.0, 0) {}
 
 double Projection::parallel_distance() const {
-    const double height_world = 2 * center_px_.y / focal_px_;
-    return is_parallel_ ? height_world / (2 * std::tan(Camera{}.fov_y_rad / 2)) : 0;
+    return is_parallel_ ? distance_of_pinhole(2 * center_px_.y / focal_px_) : 0;
 }
 
 glm::dvec3 Projection::ray_world(double x_px, double y_px) const {

@@ -29,6 +29,9 @@ struct Camera {
     glm::dvec3 eye_world{0, 0, 1};
     /// Rotates eye-relative world vectors into view space: rows are right, up and back.
     glm::dmat3 view_from_world{1};
+    /// Of a parallel camera: its direction of sight as given, target less eye, of any length.
+    /// view_from_world has it rounded, which may turn faces that are edge-on. 0: only there.
+    glm::dvec3 sight_world{0};
     double fov_y_rad = 0.6981317007977318;  ///< 40 degrees, vertical
     double height_world = 0;                ///< seen by a parallel camera; 0: it is a pinhole
     double near = 0.01;                     ///< distance of the near plane along -z, > 0
@@ -42,7 +45,8 @@ struct Camera {
     [[nodiscard]] Viewpoint viewpoint() const {
         if (!is_parallel()) return {eye_world, false};
         return {-glm::dvec3(view_from_world[0][2], view_from_world[1][2], view_from_world[2][2]),
-                true};
+                true,
+                sight_world};
     }
 };
 
@@ -68,6 +72,24 @@ struct View {
 /// inside the scene keeps what stands close to it (far is twice near if all of it lies behind the
 /// eye).
 void fit_clip_range(Camera& camera, const Sphere& bounds);
+
+/// Lets a parallel camera stand before `bounds`, wherever along its line of sight it stood before
+/// them; near and far go with it. The farther away, the fewer digits are left of what it sees. One
+/// that stands among them, or behind, stays.
+void stand_before(Camera& camera, const Sphere& bounds);
+
+/// What a parallel camera is to see.
+struct ParallelLook {
+    glm::dvec3 target_world{0};
+    glm::dvec3 way_world{0, 0, -1};  ///< from the eye to the target, as given
+    glm::dvec3 up_world{0, 1, 0};
+    double height_world = 0;  ///< round the target, > 0
+};
+
+/// A parallel camera that stands before `bounds` and sees that, near and far fitted. Eyes anywhere
+/// before them on one line of sight make the same camera, bit for bit; one among them or behind
+/// stands where it is. Throws as look_at does.
+[[nodiscard]] Camera parallel_camera(const ParallelLook& look, const Sphere& bounds);
 
 /// The camera itself if it has that projection, else one of that projection that stands and looks
 /// as it does and sees as much at the middle of `bounds`, or at its near plane or a radius away if

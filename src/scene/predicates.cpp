@@ -173,9 +173,9 @@ int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, cons
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const Viewpoint& eye) {
     if (!eye.is_direction) return orient3d(a, b, c, eye.at_world);
     // |a-e, b-e, c-e| = |a-e, b-a, c-a|, and a - e comes ever nearer to the direction.
-    const Determinant det = plain_determinant(eye.at_world, b - a, c - a);
+    const Determinant det = plain_determinant(eye.exact(), b - a, c - a);
     if (det.is_sure()) return det.sign();
-    const Row sight = exact_row(eye.at_world, glm::dvec3(0));
+    const Row sight = exact_row(eye.exact(), glm::dvec3(0));
     return exact_determinant(sight, exact_row(b, a), exact_row(c, a)).sign();
 }
 

@@ -176,6 +176,7 @@ Camera camera_round(const Sphere& bounds, const NamedDirection& view, double wid
                             view.up_world,
                             Camera{}.fov_y_rad);
     camera.name = view.name;
+    camera.sight_world = -view.outward_world;
     fit_clip_range(camera, bounds);
     return camera;
 }

@@ -185,6 +185,7 @@ std::string truth_key(const scene::Scene& scene,
     core::Hasher hasher;
     hasher.text(kSourcesHash).value(scene::scene_hash(scene));
     hasher.value(camera.eye_world).value(camera.view_from_world);
+    hasher.value(camera.viewpoint().given_world);
     hasher.value(camera.fov_y_rad).value(camera.height_world).value(camera.near);
     hasher.value(view.width_px).value(view.height_px);
     hasher.value(options.crease_rad).value(options.creases).value(options.layers);

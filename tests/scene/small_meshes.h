@@ -44,6 +44,7 @@ struct Turned {
         view.camera.eye_world = turn * glm::dvec4(seen.camera.eye_world, 1);
         view.camera.view_from_world =
             seen.camera.view_from_world * glm::transpose(glm::dmat3(turn));
+        view.camera.sight_world = {};
     }
 };
 

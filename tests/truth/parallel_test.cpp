@@ -1,7 +1,9 @@
 // What a parallel camera sees: closed forms, laws, and the limit of a pinhole that goes away.
 
 #include <numbers>
+#include <optional>
 
+#include "scene/predicates.h"
 #include "tests/truth/shapes.h"
 
 namespace ink::truth {
@@ -236,6 +238,36 @@ TEST(Parallel, AMirrorKeepsAllLengths) {
     const Truth b = trace(mirrored, parallel_view({-3, 4, 9}));
     for (const auto& [line_class, length] : lengths(a))
         EXPECT_NEAR(lengths(b).at(line_class), length, 1e-6) << name(line_class);
+}
+
+// In digits, too: of a direction whose length is not whole, and from a billion units away.
+TEST(Parallel, HowFarAwayTheEyeIsChangesNoLabel) {
+    const scene::Scene scene = turned_cube(glm::dmat4(1));
+    for (const glm::dvec3 outward : {glm::dvec3{0, 0, 1}, {1, 2, 3}, {-1, 1, -1}}) {
+        std::optional<Truth> near;
+        for (const double distance : {3.0, 3e3, 1e6, 1e9}) {
+            scene::View view = parallel_view(outward);
+            view.camera = scene::parallel_camera(
+                {.way_world = -distance * outward, .height_world = kHeight_world},
+                scene::bounding_sphere(scene));
+            Truth truth = trace(scene, view);
+            if (!near) near = truth;
+            EXPECT_EQ(near->labels, truth.labels) << distance;
+            EXPECT_EQ(near->sampled, truth.sampled) << distance;
+            EXPECT_EQ(near->exact_corner, truth.exact_corner) << distance;
+        }
+    }
+}
+
+// Of a direction that is made 1 long the digits turn faces to the eye that are exactly edge-on.
+TEST(Parallel, AFaceEdgeOnIsSeenFromNeitherSide) {
+    for (const glm::dvec3 way : {glm::dvec3{-8, -10, 1}, {-9, -4, -8}, {-1, -4, 8}}) {
+        const glm::dvec3 other{1, 2, 3};
+        const scene::Camera camera =
+            scene::parallel_camera({.way_world = way, .height_world = 1}, {glm::dvec3(0), 1});
+        EXPECT_EQ(scene::facing(glm::dvec3(0), way, other, camera.viewpoint()), 0);
+        EXPECT_EQ(scene::facing(other, way + other, 3.0 * other - way, camera.viewpoint()), 0);
+    }
 }
 
 // From where it stands nothing depends but what is cut.

@@ -128,6 +128,7 @@ void pose_camera(const CameraMotion& motion,
         look_at(eye_world, target_world, glm::dmat3(world_from_eye) * motion.up, camera.fov_y_rad);
     camera.eye_world = posed.eye_world;
     camera.view_from_world = posed.view_from_world;
+    camera.sight_world = posed.sight_world;
 }
 
 /// Where a light stands at the moment, and its colour; without a time, that of its first key.

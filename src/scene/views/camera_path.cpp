@@ -39,6 +39,7 @@ void turn_in_view(Camera& camera, int from, int to, double angle_rad) {
     turned[from] = world_from_view[from] * t.x + world_from_view[to] * t.y;
     turned[to] = world_from_view[to] * t.x - world_from_view[from] * t.y;
     camera.view_from_world = glm::transpose(turned);
+    camera.sight_world = {};
 }
 
 /// The whole camera turned about the vertical through `center_world`.
@@ -52,6 +53,7 @@ void orbit(Camera& camera, const glm::dvec3& center_world, double angle_rad) {
     for (int axis = 0; axis < 3; ++axis)
         world_from_view[axis] = turned(world_from_view[axis]);
     camera.view_from_world = glm::transpose(world_from_view);
+    camera.sight_world = {};
 }
 
 /// How far along the view direction the middle of the ball lies.
