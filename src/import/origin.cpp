@@ -14,7 +14,13 @@
 namespace ink::import {
 namespace {
 
-constexpr double kFarRadii = 64;
+/// Along an axis: so far from zero the scene, and so far what lies in a mesh, is moved. A scene
+/// that is far out by the one has all of itself beyond the other, so that parts which touch move
+/// as one.
+constexpr double kFarRadii = 1.5;
+constexpr double kFarMeshRadii = 0.5;
+/// The same of a mesh that the file has as floats: from there on they lose nothing.
+constexpr double kFarFloatRadii = 4;
 
 using scene::Box;
 
@@ -91,8 +97,8 @@ glm::dvec3 take_out_of_mesh(ImportedMesh& mesh,
     if (!(stretch > 0) || !is_finite(box)) return glm::dvec3{0};
     const double radius = radius_world / stretch;
     const glm::dvec3 origin = glm::inverse(world_from_mesh) * glm::dvec4(origin_world, 1);
-    const glm::dvec3 taken =
-        in_steps(origin, radius, is_beyond(box.center(), kFarRadii / 2 * radius));
+    const double far_radii = mesh.are_floats ? kFarFloatRadii : kFarMeshRadii;
+    const glm::dvec3 taken = in_steps(origin, radius, is_beyond(box.center(), far_radii * radius));
     if (!std::isfinite(glm::length(taken)) || taken == glm::dvec3{0}) return glm::dvec3{0};
     if (mesh.are_floats) {
         for (const glm::dvec3& p : mesh.positions)

@@ -51,7 +51,7 @@ void expect_near(const std::vector<glm::dvec3>& got,
 }
 
 TEST(Origin, SceneNearZeroStaysAsItIs) {
-    for (const double distance : {0.0, 1.0, 50.0}) {
+    for (const double distance : {0.0, 1.0, 2.5}) {
         const scene::Scene scene = scene_of(cube_at({distance, 0, 0}));
         EXPECT_EQ(scene.origin, glm::dvec3(0)) << distance;
         EXPECT_EQ(scene.meshes[0].positions[7], glm::vec3(1 + distance, 1, 1));
@@ -67,6 +67,31 @@ TEST(Origin, FarSceneKeepsItsDigits) {
     EXPECT_LT(glm::distance(scene.origin, kFar), 4);
     expect_near(file_corners(scene), wanted, 1e-6);
     EXPECT_EQ(scene.instances[0].world_from_object, glm::dmat4(1));
+}
+
+/// Two solids that touch, in coordinates that floats do not hold, moved by so many of their
+/// diameters.
+TEST(Origin, WhereverTheFileHasItAModelKeepsItsShape) {
+    const auto at = [](double diameters) {
+        const glm::dvec3 place = diameters * glm::dvec3(5.7, -5.7, 5.7);
+        ImportReply reply = cube_at(place + glm::dvec3(0.1));
+        ImportedMesh beside = reply.meshes[0];
+        for (glm::dvec3& p : beside.positions)
+            p.x += 2;
+        reply.meshes.push_back(beside);
+        reply.instances.push_back({1, glm::dmat4(1), "beside"});
+        return std::pair(scene_of(reply), place);
+    };
+    const std::vector<glm::dvec3> wanted = file_corners(at(0).first);
+    for (const double diameters : {1.0, 7.0, 31.0, 1000.0}) {
+        SCOPED_TRACE(diameters);
+        const auto [scene, place] = at(diameters);
+        std::vector<glm::dvec3> corners = file_corners(scene);
+        for (glm::dvec3& p : corners)
+            p -= place;
+        expect_near(corners, wanted, 5e-7);
+        EXPECT_EQ(scene::weld(scene).p_world.size(), 12U);
+    }
 }
 
 TEST(Origin, PartsThatTouchGoOnTouching) {
