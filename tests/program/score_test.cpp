@@ -151,8 +151,8 @@ TEST(Score, AModelFileIsSeenByItsOwnCameras) {
     EXPECT_LT(f_of("near"), 0.5);
 }
 
-/// Ten pictures of drawn.png, dark lines on white, as they come from elsewhere.
-constexpr const char* kTenImages = R"(
+/// Pictures of drawn.png, dark lines on white, as they come from elsewhere.
+constexpr const char* kImages = R"(
 import numpy as np
 from PIL import Image, ImageOps
 
@@ -178,9 +178,12 @@ shifted[:-3, 8:] = grey[3:, :-8]
 Image.fromarray(shifted).save("shifted.png")
 Image.new("RGB", drawn.size, (255, 255, 255)).save("blank.png")
 drawn.save("photo.jpg", quality=60)
+Image.open("large.png").convert("L").resize(drawn.size, Image.LANCZOS).save("halved.png")
+ImageOps.expand(ImageOps.crop(ImageOps.invert(drawn), 20), 20, 255).save("framed.png")
+open("cut.jpg", "wb").write(open("photo.jpg", "rb").read()[:5000])
 )";
 
-TEST(Score, OfTenImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
+TEST(Score, OfImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
     const Desk desk;
     if (desk.run_other("/usr/bin/python3", {"-c", "import numpy, PIL"}).exit_code != 0)
         GTEST_SKIP() << "needs /usr/bin/python3 with numpy and Pillow";
@@ -191,8 +194,11 @@ TEST(Score, OfTenImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
     run("truth", {"-o", "truth.png", "--intersections", "above_crease"});
     run("draw", {"--method", "surface8", "-o", "drawn.png"});
     run("draw", {"--method", "surface8", "-o", "float.exr"});
-    desk.write("ten.py", kTenImages);
-    ASSERT_EQ(desk.run_other("/usr/bin/python3", {"ten.py"}).exit_code, 0);
+    const Words large = "draw blocks --size 640x360 --method surface8 -o large.png";
+    ASSERT_EQ(desk.run(large).exit_code, 0);
+    desk.write("images.py", kImages);
+    ASSERT_EQ(desk.run_other("/usr/bin/python3", {"images.py"}).exit_code, 0);
+    expect_refused(desk, "score cut.jpg truth.png", {"cut.jpg: the file is cut off"});
     const auto score = [&](const std::string& file) {
         const Outcome outcome = desk.run({"score", file, "truth.png", "--json"});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -217,6 +223,11 @@ TEST(Score, OfTenImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
         {"mirrored.png", {"", "mirrored.png: it seems to be mirrored"}},
         {"shifted.png",
          {"", "shifted.png: it seems to be shifted by 8 px to the right and 3 px up"}},
+        {"halved.png",
+         {"",
+          "halved.png: its lines are faint, half of them at most 108 of 255: at threshold 64 F "
+          "would be 0.998"}},
+        {"framed.png", {"", "framed.png: a border of 20 px around it counts as drawn"}},
         {"blank.png", {"", "blank.png: it is blank"}}};
     for (const auto& [file, said] : of_images) {
         SCOPED_TRACE(file);
