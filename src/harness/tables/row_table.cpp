@@ -158,13 +158,12 @@ void add_times(RowTable& table) {
              "lower quartile of processor time: of the thread, of all threads, or of the program",
              true},
             &Row::draw_cpu_ns);
-    row.add(
-        {"yardstick_ns",
-         "ns",
-         "lower quartile of a fixed filter over a 720p plane, timed between the drawings of the "
-         "view: times of two runs compare as ratios to it",
-         true},
-        &Row::yardstick_ns);
+    row.add({"yardstick_ns",
+             "ns",
+             "lower quartile of a fixed filter over as many pixels as 720p has, timed between the "
+             "drawings of the view: times of two runs compare as ratios to it",
+             true},
+            &Row::yardstick_ns);
     row.add({"time_doubt",
              "",
              "why the times are uncertain: waited (on the wall half as long again as the thread "
