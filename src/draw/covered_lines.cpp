@@ -15,7 +15,7 @@ using truth::Curve;
 using truth::CurvePoint;
 
 /// Sine of the angle up to which pieces run the same way: finely faceted rims of one circle do.
-constexpr double kSameWay = 0.05;
+constexpr double kSameWay = 0.1;
 constexpr double kPoint_px = 1e-6;          ///< shorter than this is a point
 constexpr double kBisected_px = 1 / 256.0;  ///< ends of visibility are known to 1/512 px
 

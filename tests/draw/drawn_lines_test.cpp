@@ -201,9 +201,9 @@ TEST(DrawnOnce, ACube) {
 }
 
 TEST(DrawnOnce, AStair) {
-    // Three steps of 1 by 1, going down to +x, two wide.
+    // Four steps of 1 by 1, going down to +x, two wide.
     const std::vector<glm::vec2> profile = {
-        {0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 3}, {0, 3}};
+        {0, 0}, {4, 0}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 4}, {0, 4}};
     const auto at = [](glm::vec2 p, float z) { return glm::vec3(p, z); };
     scene::Mesh stair;
     for (std::size_t i = 0; i < profile.size(); ++i) {
@@ -213,12 +213,13 @@ TEST(DrawnOnce, AStair) {
         truth::add_triangle(stair, at({0, 0}, 2), at(a, 2), at(b, 2));
         truth::add_triangle(stair, at({0, 0}, 0), at(b, 0), at(a, 0));
     }
-    expect_lengths(stair, "front", 12, 0);
-    expect_lengths(stair, "top", 2 * (3 + 2) + 2 * 2, 0);
-    expect_lengths(stair, "right", 2 * (3 + 2) + 2 * 2, 0);
-    // Of 40 units of edges the two at the back along bottom and wall and the one between are
-    // hidden.
-    expect_lengths(stair, "iso", 32 * kIso, 8 * kIso);
+    expect_lengths(stair, "front", 16, 0);
+    expect_lengths(stair, "top", 2 * (4 + 2) + 3 * 2, 0);
+    expect_lengths(stair, "right", 2 * (4 + 2) + 3 * 2, 0);
+    // Of 52 units of edges the two at the back along bottom and wall and the one between are
+    // hidden, 10 units; of these one lies behind the edge of a riser, and one behind that of a
+    // tread.
+    expect_lengths(stair, "iso", 42 * kIso, 8 * kIso);
 }
 
 TEST(DrawnOnce, ATube) {

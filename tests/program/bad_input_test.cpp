@@ -203,7 +203,7 @@ TEST(BadValue, Camera) {
     expect({"--up", "0,0,1"}, "--up: there is no --eye");
     expect({"--views", "file", "--up", "z"}, "--up: there is no --eye");
     for (const char* up : {"0,0,1", "w", "", "Z", "-z"})
-        expect({"--views", "top", "--up", up}, "is no axis; accepted: x, y, z");
+        expect({"--views", "top", "--up", up}, "is no axis (accepted: x, y, z)");
     expect({"--fov", "30"}, "--fov: there is no --eye");
     expect({"--views", "2", "--up", "0,0,1"}, "--up: there is no --eye");
     for (const char* fov : {"0", "-40", "180", "nan", "wide"})
