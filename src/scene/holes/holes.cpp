@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/disjoint_sets.h"
+#include "core/equal_rows.h"
 #include "scene/box.h"
 #include "scene/camera.h"
 #include "scene/clusters.h"
@@ -43,7 +44,7 @@ double square_to(const std::array<glm::dvec3, 3>& c, const glm::dvec3& p) {
 
 /// Clusters of one solid: they are in a row.
 std::span<const Cluster> clusters_of(const Clusters& clusters, std::uint32_t solid) {
-    return std::ranges::equal_range(clusters.clusters, solid, {}, &Cluster::solid);
+    return core::equal_rows(std::span(clusters.clusters), solid, &Cluster::solid);
 }
 
 /// Whether what lies of a solid outside all of the balls certainly hangs together, and is not

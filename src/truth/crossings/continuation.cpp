@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "core/equal_rows.h"
 #include "core/parallel.h"
 #include "scene/box.h"
 #include "truth/crossings/pair_tree.h"
@@ -216,7 +217,7 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
 
 std::span<const Continuation> continuations_of(std::span<const Continuation> all,
                                                std::uint32_t edge) {
-    return std::ranges::equal_range(all, edge, {}, &Continuation::edge);
+    return core::equal_rows(all, edge, &Continuation::edge);
 }
 
 }  // namespace ink::truth

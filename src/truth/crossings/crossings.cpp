@@ -10,6 +10,7 @@
 #include <limits>
 #include <tuple>
 
+#include "core/equal_rows.h"
 #include "truth/crossings/pair_tree.h"
 #include "truth/pilots.h"
 
@@ -264,11 +265,11 @@ void sort_and_merge(Crossings& all) {
 }  // namespace
 
 std::span<const Contact> Crossings::contacts_of(std::uint32_t edge) const {
-    return std::ranges::equal_range(contacts, edge, {}, &Contact::edge);
+    return core::equal_rows(std::span(contacts), edge, &Contact::edge);
 }
 
 std::span<const CoplanarPair> Crossings::coplanar_with(std::uint32_t face) const {
-    return std::ranges::equal_range(coplanar, face, {}, &CoplanarPair::face);
+    return core::equal_rows(std::span(coplanar), face, &CoplanarPair::face);
 }
 
 Crossings find_crossings(const scene::Topology& topology, const CrossingOptions& options) {
