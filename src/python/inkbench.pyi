@@ -24,6 +24,7 @@ _Settings = Mapping[str, Any]
 class _Views(TypedDict, total=False):
     size: _Size  # "1280x720"
     views: Union[int, str]
+    up: str  # "x", "y" or "z", of views by name
     projection: Union[str, Sequence[str]]
     fit: str
     margin: Optional[float]

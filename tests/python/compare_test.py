@@ -185,6 +185,7 @@ class Compare(unittest.TestCase):
                 (lambda: inkbench.Camera((1, 2, 3), parallel_height=0),
                  ("truth", "cube", "--eye", "1,2,3", "--parallel", "0")),
                 (lambda: inkbench.truth("cube", projection="flat"), ("truth", "cube", "--projection", "flat")),
+                (lambda: inkbench.truth("cube", views="top", up="w"), ("truth", "cube", "--views", "top", "--up", "w")),
                 (lambda: inkbench.truth("cube", inkbench.Camera((1, 2, 3), fov_deg=200)),
                  ("truth", "cube", "--eye", "1,2,3", "--fov", "200"))):
             with self.assertRaises(ValueError) as caught:
