@@ -114,9 +114,11 @@ TEST_F(Prepared, IsMadeByTheNextIfMakingThrows) {
 TEST_F(Prepared, CountsWhatIsThereAsLongAsItTookWithAllThatIsInIt) {
     using std::chrono::nanoseconds;
     constexpr std::chrono::milliseconds kStep(2);
-    const auto work = [] {
-        const auto now_ns = [] { return core::machine_clock().now(core::Worker::thread).cpu_ns; };
-        for (const auto start_ns = now_ns(); nanoseconds(now_ns() - start_ns) < kStep;) {
+    const auto work = [&] {
+        const auto now = [] {
+            return nanoseconds(ink::core::machine_clock().now(ink::core::Worker::thread).cpu_ns);
+        };
+        for (const nanoseconds start = now(); now() - start < kStep;) {
         }
         std::this_thread::sleep_for(20 * kStep);  // which is no work
     };
