@@ -260,6 +260,20 @@ std::vector<char> judge_all(const scene::Topology& topology,
     return judged;
 }
 
+bool is_of_class(const ClipMesh& mesh, const ClaimedEdge& claim) {
+    const scene::Edge& edge = mesh.topology().edges[claim.edge];
+    return std::ranges::any_of(mesh.topology().faces_of(edge), [&](std::uint32_t face) {
+        const auto& v = mesh.topology().faces[face].vertices;
+        for (std::size_t side = 0; side < 3; ++side) {
+            const auto [low, high] = std::minmax(v[side], v[(side + 1) % 3]);
+            const bool is_edge =
+                low == std::min(edge.a, edge.b) && high == std::max(edge.a, edge.b);
+            if (is_edge && mesh.across(face, side).line_class == claim.line_class) return true;
+        }
+        return false;
+    });
+}
+
 }  // namespace
 
 std::vector<char> see_claimed_lines(const scene::Topology& topology,
@@ -271,6 +285,18 @@ std::vector<char> see_claimed_lines(const scene::Topology& topology,
             kRadii_px, [&](double radius_px) { return sees_line(rays, claim, radius_px); });
     };
     return judge_all(topology, view, options, claims, is_seen);
+}
+
+std::vector<char> name_claimed_edges(const scene::Topology& topology,
+                                     const scene::View& view,
+                                     const SamplingOptions& options,
+                                     std::span<const ClaimedEdge> claims) {
+    std::vector<char> is_named;
+    if (claims.empty()) return is_named;
+    const ClipMesh mesh(topology, view, options);
+    for (const ClaimedEdge& claim : claims)
+        is_named.push_back(is_of_class(mesh, claim) ? 1 : 0);
+    return is_named;
 }
 
 std::vector<char> find_open_places(const scene::Topology& topology,

@@ -26,6 +26,19 @@ struct ClaimedPoint {
                                                   const SamplingOptions& options,
                                                   std::span<const ClaimedPoint> claims);
 
+/// An edge of the mesh that somebody draws, and as what.
+struct ClaimedEdge {
+    std::uint32_t edge = 0;
+    truth::LineClass line_class = truth::LineClass::none;
+};
+
+/// Whether each edge, seen as it is from one of its faces, is of the claimed class. One entry per
+/// claim, 1 or 0.
+[[nodiscard]] std::vector<char> name_claimed_edges(const scene::Topology& topology,
+                                                   const scene::View& view,
+                                                   const SamplingOptions& options,
+                                                   std::span<const ClaimedEdge> claims);
+
 /// Whether the digits of a file leave open what is seen at each place: two surfaces meet the line
 /// of sight there, or pass it by 1/64 px, no farther from each other than half a unit of the last
 /// decimal place may have moved both (Topology::written_rounding_world), and so little is less than

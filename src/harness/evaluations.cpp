@@ -168,7 +168,14 @@ void fill_image_hashes(std::vector<Evaluation>& evaluations) {
 void note_crosscheck(const harness::Crosscheck& check, std::vector<Evaluation>& evaluations) {
     const double rate = check.agreement.disagreement_rate();
     const harness::ClassAgreement total = check.agreement.total();
+    std::map<std::string, double> coincident_px;
+    for (std::size_t c = 0; c < truth::kLineClasses.size(); ++c) {
+        const double length_px = check.agreement.by_class[c].coincident_px;
+        if (length_px > 0)
+            coincident_px[std::string(truth::name(truth::kLineClasses[c]))] = length_px;
+    }
     for (Evaluation& evaluation : evaluations) {
+        evaluation.row.coincident_px_by_class = coincident_px;
         evaluation.row.reference_disagreement = rate;
         evaluation.row.crosscheck_px = total.truth_px + total.crosscheck_px;
         evaluation.row.crosscheck_abstained = check.agreement.abstained_share();

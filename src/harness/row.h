@@ -113,6 +113,8 @@ struct Row {
     std::optional<double> reference_disagreement = std::nullopt;
     double crosscheck_px = 0;         ///< the length of line, both ways, of which that is a share
     double crosscheck_abstained = 0;  ///< the share of it on which the cross-check abstains
+    /// Of that, by class: on another line that both have; classes with some only.
+    std::map<std::string, double> coincident_px_by_class = {};
     /// The program and machine that the row comes from; null: these.
     std::shared_ptr<const core::Provenance> provenance = {};
 

@@ -301,6 +301,71 @@ TEST(Agreement, TheThirdConstructionDecidesWhoIsRight) {
     EXPECT_FALSE(agreement.is_agreed());
 }
 
+/// A fold, seen from within its plane of symmetry, and before one half of it a sheet whose border
+/// lies right before the crease.
+class CoincidentLines : public testing::Test {
+  protected:
+    void SetUp() override {
+        scene::Mesh fold, sheet;
+        truth::add_quad(fold, {-1, -1, -1}, {0, -1, 0}, {0, 1, 0}, {-1, 1, -1});
+        truth::add_quad(fold, {0, -1, 0}, {1, -1, -1}, {1, 1, -1}, {0, 1, 0});
+        truth::add_quad(sheet, {-2, -2, 1}, {0, -2, 1}, {0, 2, 1}, {-2, 2, 1});
+        topology_ = scene::weld(truth::scene_of({fold, sheet}));
+        for (std::uint32_t e = 0; e < topology_.edges.size(); ++e) {
+            const auto& a = topology_.p_world[topology_.edges[e].a];
+            const auto& b = topology_.p_world[topology_.edges[e].b];
+            if (a.x != 0 || b.x != 0) continue;
+            (a.z == 0 ? crease_ : border_) = e;
+        }
+        for (int i = 0; i < 80; ++i)
+            seen_.points.push_back({320, 200.25 + i, truth::LineClass::boundary, 1});
+        for (int i = 0; i < 320; ++i)
+            seen_.points.push_back({320, 200.125 + i / 4.0, truth::LineClass::boundary, 0});
+    }
+    [[nodiscard]] truth::Curve line(truth::LineClass line_class, std::uint32_t edge) const {
+        truth::Curve curve;
+        curve.line_class = line_class;
+        curve.edge = edge;
+        curve.begin = {320, 200, 6};
+        curve.end = {320, 280, 6};
+        return curve;
+    }
+    [[nodiscard]] harness::Agreement judged(const std::vector<truth::Curve>& curves) const {
+        const scene::View view = truth::view_from(6);
+        harness::Agreement agreement = harness::compare_truths(curves, seen_, view);
+        harness::judge_disagreements(topology_, view, two_threads(), agreement);
+        return agreement;
+    }
+
+    scene::Topology topology_;
+    std::uint32_t crease_ = 0, border_ = 0;
+    SampledLines seen_;
+};
+
+TEST_F(CoincidentLines, EitherMayHaveAnyOfThem) {
+    const truth::Curve border = line(truth::LineClass::boundary, border_);
+    const truth::Curve crease = line(truth::LineClass::crease, crease_);
+    EXPECT_TRUE(judged({border}).is_agreed());
+    EXPECT_EQ(judged({border}).total().coincident_px, 0);
+    const harness::Agreement both = judged({border, crease});
+    EXPECT_TRUE(both.is_agreed());
+    EXPECT_NEAR(both.by_class[2].coincident_px, 80, 0.5);
+    EXPECT_EQ(both.by_class[1].coincident_px, 0);
+}
+
+TEST_F(CoincidentLines, FaultsBesideThemAreFaults) {
+    const truth::Curve border = line(truth::LineClass::boundary, border_);
+    EXPECT_FALSE(judged({}).is_agreed()) << "a line is missing";
+    EXPECT_FALSE(judged({border, line(truth::LineClass::seam, crease_)}).is_agreed())
+        << "of another class than its edge";
+    truth::Curve moved = line(truth::LineClass::crease, crease_);
+    moved.begin.x_px += 1.0 / 16;
+    moved.end.x_px += 1.0 / 16;
+    EXPECT_FALSE(judged({border, moved}).is_agreed()) << "1/16 px beside the other";
+    EXPECT_FALSE(judged({line(truth::LineClass::crease, crease_)}).is_agreed())
+        << "a crease where a border is seen";
+}
+
 TEST(CrosscheckFile, ComesBackWholeOrNotAtAll) {
     harness::Crosscheck check;
     check.agreement.by_class[1] = {10, 9.5, 11, 10.25, 0.25, 0.5};
@@ -340,7 +405,7 @@ TEST(CrosscheckFile, HoldsNoNumberThatIsNoneOfItsKind) {
     // The last byte is `is_confirmed`: neither true nor false.
     harness::Crosscheck check;
     check.agreement.disagreements = {sound};
-    const core::KeptKind kind = {'i', 'n', 'k', 'w', 'i', 't', 'n', '3'};
+    const core::KeptKind kind = {'i', 'n', 'k', 'w', 'i', 't', 'n', '4'};
     const std::string bytes = harness::encode_check(check, "key");
     const auto payload = core::unsealed(bytes, kind, "key");
     ASSERT_TRUE(payload);

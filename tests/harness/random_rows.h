@@ -145,6 +145,7 @@ inline Row random_row(RandomValues& any) {
     row.reference_disagreement = any.maybe([&] { return any.share(); });
     row.crosscheck_px = row.reference_disagreement ? any.real() : 0;
     row.crosscheck_abstained = row.reference_disagreement ? any.share() : 0;
+    if (any.coin()) row.coincident_px_by_class["crease"] = any.real();
     if (any.coin()) {
         row.causes.emplace();
         for (std::int64_t& px : row.causes->px)

@@ -118,6 +118,18 @@ struct Sampling {
     [[nodiscard]] glm::dvec2 at(int i) const { return glm::mix(a, b, (i + 0.5) / count); }
 };
 
+/// How far a point is from the line on which a curve lies.
+double distance_to_line(const glm::dvec2& p, const truth::Curve& curve) {
+    const glm::dvec2 a = begin_of(curve), ab = end_of(curve) - a, ap = p - a;
+    const double length = glm::length(ab);
+    return length > 0 ? std::abs(ab.x * ap.y - ab.y * ap.x) / length : glm::length(ap);
+}
+
+/// Of two classes the one that comes first, if it is any.
+truth::LineClass first_of(truth::LineClass a, truth::LineClass b) {
+    return a == truth::LineClass::none ? b : std::min(a, b);
+}
+
 /// Calls `hold(i, part)` for each i, on many threads, and adds up the parts in order.
 template <class Hold>
 void hold_all(std::size_t count, int threads, Agreement& result, const Hold& hold) {
@@ -159,15 +171,20 @@ void hold_curves(std::span<const truth::Curve> curves,
             const glm::dvec2 p = samples.at(i);
             if (is_on_frame(p, view)) continue;
             agreement.truth_px += length_px;
+            truth::LineClass beside = truth::LineClass::none;
             const bool is_covered = lists.any(p, [&](std::uint32_t item) {
-                const crosscheck::SampledPoint& q = points[item];
-                return q.line_class == line_class &&
-                       glm::length(p - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
+                const glm::dvec2 q(points[item].x_px, points[item].y_px);
+                if (glm::length(p - q) > kAgreement_px) return false;
+                if (points[item].line_class == line_class) return true;
+                if (distance_to_line(q, curves[c]) <= kThinnest_px)
+                    beside = first_of(beside, points[item].line_class);
+                return false;
             });
             if (is_covered) {
                 agreement.truth_covered_px += length_px;
             } else {
-                part.disagreements.push_back({p.x, p.y, length_px, line_class, true, c});
+                part.disagreements.push_back(
+                    {p.x, p.y, length_px, line_class, true, c, true, beside, curves[c].edge});
             }
         }
     });
@@ -188,17 +205,48 @@ void hold_points(std::span<const truth::Curve> curves,
         if (is_on_frame(p, view)) return;
         ClassAgreement& agreement = part.by_class[class_index(point.line_class)];
         agreement.crosscheck_px += point.length_px;
+        truth::LineClass beside = truth::LineClass::none;
         const bool is_covered = lists.any(p, [&](std::uint32_t item) {
-            return curves[item].line_class == point.line_class &&
-                   distance_to_segment(p, begin_of(curves[item]), end_of(curves[item])) <=
-                       kAgreement_px;
+            const truth::Curve& curve = curves[item];
+            const double away = distance_to_segment(p, begin_of(curve), end_of(curve));
+            if (away > kAgreement_px) return false;
+            if (curve.line_class == point.line_class) return true;
+            if (away <= kThinnest_px) beside = first_of(beside, curve.line_class);
+            return false;
         });
         if (is_covered) {
             agreement.crosscheck_covered_px += point.length_px;
         } else {
-            part.disagreements.push_back({p.x, p.y, point.length_px, point.line_class, false, 0});
+            part.disagreements.push_back(
+                {p.x, p.y, point.length_px, point.line_class, false, 0, true, beside});
         }
     });
+}
+
+/// Takes back what lies on another line that both have, if that is there and a curve is of its
+/// edge's class.
+void forgive_coincident(const scene::Topology& topology,
+                        const scene::View& view,
+                        const crosscheck::SamplingOptions& options,
+                        Agreement& agreement) {
+    std::vector<Disagreement*> beside;
+    std::vector<crosscheck::ClaimedPoint> others;
+    std::vector<crosscheck::ClaimedEdge> edges;
+    for (Disagreement& d : agreement.disagreements) {
+        const bool has_edge = !d.is_truth || d.edge != truth::kNoEdge;
+        if (!d.is_confirmed || d.beside == truth::LineClass::none || !has_edge) continue;
+        beside.push_back(&d);
+        others.push_back({{d.x_px, d.y_px}, d.beside});
+        edges.push_back({d.is_truth ? d.edge : 0, d.line_class});
+    }
+    const auto is_seen = crosscheck::see_claimed_lines(topology, view, options, others);
+    const auto is_named = crosscheck::name_claimed_edges(topology, view, options, edges);
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+        Disagreement& d = *beside[i];
+        if (is_seen[i] == 0 || (d.is_truth && is_named[i] == 0)) continue;
+        d.is_confirmed = false;
+        agreement.by_class[class_index(d.line_class)].coincident_px += d.length_px;
+    }
 }
 
 }  // namespace
@@ -245,6 +293,7 @@ ClassAgreement Agreement::total() const {
         sum.crosscheck_covered_px += c.crosscheck_covered_px;
         sum.truth_abstained_px += c.truth_abstained_px;
         sum.crosscheck_abstained_px += c.crosscheck_abstained_px;
+        sum.coincident_px += c.coincident_px;
     }
     return sum;
 }
@@ -295,6 +344,7 @@ void judge_disagreements(const scene::Topology& topology,
     const std::vector<char> is_open = crosscheck::find_open_places(topology, view, options, places);
     for (std::size_t i = 0; i < confirmed.size(); ++i)
         agreement.disagreements[confirmed[i]].is_confirmed = is_open[i] == 0;
+    forgive_coincident(topology, view, options, agreement);
     for (const Disagreement& d : agreement.disagreements) {
         if (d.is_confirmed) continue;
         ClassAgreement& c = agreement.by_class[class_index(d.line_class)];

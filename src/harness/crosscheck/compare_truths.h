@@ -13,6 +13,9 @@ namespace ink::harness {
 /// Within so much of each other two lines of one class are the same line.
 inline constexpr double kAgreement_px = 0.25;
 
+/// Of lines that run this near to each other the cross-check may see only one.
+inline constexpr double kThinnest_px = 1.0 / 32;
+
 /// Lines this near the frame are not held against each other.
 inline constexpr double kFrame_px = 0.5;
 
@@ -36,6 +39,8 @@ struct ClassAgreement {
     /// that nothing confirms.
     double truth_abstained_px = 0;
     double crosscheck_abstained_px = 0;
+    /// Of both abstained lengths: on a line of another class that both have (judge_disagreements).
+    double coincident_px = 0;
 
     /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px of the
     /// truth's and one crossing of the cross-check's: of a class of a few px that is more than the
@@ -55,6 +60,9 @@ struct Disagreement {
     bool is_truth = true;      ///< the curves have it and the cross-check not, or the reverse
     std::size_t curve = 0;     ///< into the curves, where they have it
     bool is_confirmed = true;  ///< false: it is one that the cross-check abstains on
+    /// Of the other construction's lines that run within kThinnest_px.
+    truth::LineClass beside = truth::LineClass::none;
+    std::uint32_t edge = truth::kNoEdge;  ///< of the mesh, where the curves have it
 };
 
 /// How the two constructions of one view agree.
@@ -93,13 +101,14 @@ struct Agreement {
 /// Asks the third construction (crosscheck/line_probe.h) about every disagreement, and whether
 /// digits leave the place open (crosscheck/line_probe.h). What the one does not confirm, or the
 /// other excuses, is moved to the abstained lengths.
+///
+/// So is what lies on another line that both have: of edges that coincide on the image each may
+/// draw another. The third construction must see that other line, and a curve's class must be that
+/// of its edge.
 void judge_disagreements(const scene::Topology& topology,
                          const scene::View& view,
                          const crosscheck::SamplingOptions& options,
                          Agreement& agreement);
-
-/// Of lines that run this near to each other the cross-check may see only one.
-inline constexpr double kThinnest_px = 1.0 / 32;
 
 /// Of the curves' length that the cross-check lacks, px: what runs alongside another curve within
 /// kThinnest_px. Between the two lies a strip of surface that its samples step over: surfaces that

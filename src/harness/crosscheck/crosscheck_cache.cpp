@@ -13,7 +13,7 @@
 namespace ink::harness {
 namespace {
 
-constexpr core::KeptKind kKind = {'i', 'n', 'k', 'w', 'i', 't', 'n', '3'};
+constexpr core::KeptKind kKind = {'i', 'n', 'k', 'w', 'i', 't', 'n', '4'};
 
 template <class Stream, class Check>
 void pass(Stream& of, Check& check) {

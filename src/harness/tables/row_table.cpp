@@ -16,14 +16,17 @@ std::string group_doc(const core::Term& group, std::string doc) {
     return doc.replace(doc.find(kClass), kClass.size(), group.text);
 }
 
-/// A column per recall group, empty where the view has none of it.
+/// A column per recall group, empty where the view has none of it; `with_parts` also for those that
+/// are a part of a class.
 template <class T>
 void add_by_class(RowTable& table,
                   const std::string& prefix,
                   const std::string& unit,
                   const std::string& doc,
-                  std::map<std::string, T> Row::*field) {
+                  std::map<std::string, T> Row::*field,
+                  bool with_parts = true) {
     for (const core::Term& group : core::vocabulary().recall_groups) {
+        if (!with_parts && !group.text.empty()) continue;
         const std::string key(group.name);
         table.add(
             {prefix + key, unit, group_doc(group, doc)},
@@ -202,6 +205,13 @@ void add_truth(RowTable& table) {
                  "share of that length on which the cross-check abstains: it differs from the "
                  "truth, and the third construction sides with the truth"},
                 &Row::crosscheck_abstained);
+    add_by_class(table,
+                 "crosscheck_coincident_",
+                 "px",
+                 "of what it abstains on, lines of this class that lie on another line, which both "
+                 "have",
+                 &Row::coincident_px_by_class,
+                 false);
     add_cause_columns(table);
     row.part_if([](const Row& r) { return r.triangles != 0; })
         .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);
