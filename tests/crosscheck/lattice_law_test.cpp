@@ -89,15 +89,17 @@ std::optional<glm::dvec3> eye_in_a_plane(LatticeShapes& shapes, const scene::Sce
     return std::nullopt;
 }
 
+/// `has_cut`: the near plane cuts a parallel view, and the cross-check may abstain beside the cut.
 void expect_agreement(const truth::Model& model,
                       const scene::View& view,
-                      const truth::Truth& truth) {
+                      const truth::Truth& truth,
+                      bool has_cut = false) {
     const SamplingOptions options;
     const SampledLines crosscheck = sample_lines(model.topology, view, options);
     harness::Agreement agreement = harness::compare_truths(truth.curves, crosscheck, view);
     harness::judge_disagreements(model.topology, view, options, agreement);
-    EXPECT_EQ(crosscheck.counts.unexplained, 0U);
-    EXPECT_LT(agreement.abstained_share(), kMostAbstained);
+    EXPECT_LE(crosscheck.counts.unexplained, has_cut ? 2U : 0U);
+    EXPECT_LT(agreement.abstained_share(), has_cut ? 0.1 : kMostAbstained);
     for (std::size_t i = 0; i < truth::kLineClasses.size(); ++i) {
         const harness::ClassAgreement& c = agreement.by_class[i];
         EXPECT_TRUE(c.is_agreed()) << truth::name(truth::kLineClasses[i]) << ": " << c.truth_px
@@ -145,6 +147,44 @@ TEST_P(LatticeLaw, ADirectionInThePlanesOfFacesAndEdgesIsNoTie) {
     LatticeShapes shapes(random);
     const auto next = [&] { return any_scene(shapes, GetParam()); };
     EXPECT_GT(expect_no_tie(kScenes, scene::ProjectionKind::parallel, shapes, next), kScenes / 2);
+}
+
+/// A house of slabs that touch, with pillars and benches on its floor.
+scene::Scene house(LatticeShapes& shapes) {
+    std::vector<scene::Mesh> objects = {truth::box({-5, -1, -5}, {5, 0, 5}),
+                                        truth::box({-5, 4, -5}, {5, 5, 5}),
+                                        truth::box({-5, 0, -5}, {-4, 4, 5}),
+                                        truth::box({4, 0, -5}, {5, 4, 2}),
+                                        truth::box({-4, 0, -5}, {4, 4, -4}),
+                                        truth::box({-4, 0, 4}, {1, 3, 5})};
+    for (int i = shapes.number(2, 5); i > 0; --i) {
+        const glm::vec3 low(shapes.number(-4, 2), 0, shapes.number(-4, 2));
+        const int width = shapes.number(1, 2), height = shapes.number(1, 4);
+        objects.push_back(truth::box(low, low + glm::vec3(width, height, shapes.number(1, 2))));
+    }
+    return truth::scene_of(std::move(objects));
+}
+
+TEST(LatticeHouse, SeenFromInsideAlongItsWallsThereIsNoTie) {
+    std::mt19937_64 random(54);
+    LatticeShapes shapes(random);
+    for (int i = 0; i < 24; ++i) {
+        SCOPED_TRACE(i);
+        Setting setting{house(shapes), shapes.place(-4, 4), {}};
+        setting.eye.y = shapes.number(1, 3);
+        glm::dvec3 way(0);
+        way[i % 2 == 0 ? 0 : 2] = i % 4 < 2 ? 1 : -1;
+        if (i % 3 == 0) way = glm::dvec3(shapes.place(-1, 1)) + 2.0 * way;
+        setting.target = setting.eye + way;
+        const truth::Model model = truth::build_model(setting.scene, {.threads = 1});
+        for (const auto kind :
+             {scene::ProjectionKind::perspective, scene::ProjectionKind::parallel}) {
+            setting.projection = kind;
+            SCOPED_TRACE(scene::kProjectionNames[static_cast<std::size_t>(kind)]);
+            const truth::Truth truth = truth::trace_truth(model, setting.view(), {1, false});
+            expect_agreement(model, setting.view(), truth, kind == scene::ProjectionKind::parallel);
+        }
+    }
 }
 
 class LatticeOfSolids : public testing::TestWithParam<scene::ProjectionKind> {
