@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disturbance.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
-#include "harness/disturbance.h"
 
 namespace ink::experiment {
 namespace {
@@ -103,7 +103,7 @@ std::vector<BlockWork::Group> BlockWork::missing_groups() const {
 /// One lane where others would be noticed by what is timed.
 void BlockWork::try_neighbours() {
     if (lanes_ == 1) return;
-    if (!plan_.times || harness::measure_disturbance(lanes_ - 1) <= harness::kNoDisturbance) return;
+    if (!plan_.times || core::measure_disturbance(lanes_ - 1) <= core::kNoDisturbance) return;
     lanes_ = 1;
     lanes_text_ = ", one scene at a time: others would spoil the times on this machine";
 }

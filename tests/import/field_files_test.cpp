@@ -50,9 +50,6 @@ TEST_F(FieldFiles, Utf16IsRefusedByName) {
                         HasSubstr("is UTF-16 text"));
             EXPECT_THAT(complaint(write("a.stl", utf16(kStlTriangle, has_mark, is_big))),
                         HasSubstr("is UTF-16 text"));
-            EXPECT_THAT(
-                complaint(write("a.dae", utf16("<COLLADA version='1.4.1'/>\n", has_mark, is_big))),
-                HasSubstr("is UTF-16 text"));
         }
 }
 

@@ -203,14 +203,14 @@ scene::Scene by_assimp(const std::filesystem::path& path, std::size_t frame) {
     return scene;
 }
 
-/// Every corner of every triangle, in order.
+/// Every corner of every triangle where the file has it, in order.
 std::vector<glm::dvec3> corners(const scene::Scene& scene) {
     std::vector<glm::dvec3> all;
     for (const scene::Instance& instance : scene.instances) {
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
         for (const scene::Triangle& triangle : mesh.triangles) {
             for (const std::uint32_t v : triangle)
-                all.push_back(scene::to_world(instance, mesh.positions[v]));
+                all.push_back(scene.origin + scene::to_world(instance, mesh.positions[v]));
         }
     }
     return all;

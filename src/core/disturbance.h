@@ -1,6 +1,6 @@
 #pragma once
 
-namespace ink::harness {
+namespace ink::core {
 
 /// How many times as long a loop takes while `others` threads do the same beside it: 1 is no
 /// disturbance at all, 1.5 and more are two threads on one core.
@@ -12,4 +12,4 @@ namespace ink::harness {
 /// Up to here neighbours do not count: medians of two runs differ by as much anyway.
 inline constexpr double kNoDisturbance = 1.03;
 
-}  // namespace ink::harness
+}  // namespace ink::core

@@ -1,4 +1,4 @@
-#include "harness/disturbance.h"
+#include "core/disturbance.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "harness/timing.h"
+#include "core/work_clock.h"
 
-namespace ink::harness {
+namespace ink::core {
 namespace {
 
 constexpr std::size_t kPlane = std::size_t{1} << 20;  // floats
@@ -75,10 +75,11 @@ class Neighbours {
 
 std::int64_t passes_ns(Plane& plane) {
     plane.pass();  // what somebody else has put into the caches is no longer there
-    return time_ns([&] {
+    const Spent spent = spent_on([&] {
         for (int i = 0; i < kPasses; ++i)
             plane.pass();
     });
+    return spent.cpu_ns;
 }
 
 }  // namespace
@@ -99,4 +100,4 @@ double measure_disturbance(int others) {
     return ratios[kPairs / 2];
 }
 
-}  // namespace ink::harness
+}  // namespace ink::core
