@@ -83,12 +83,14 @@ def elbow_gltf():
 
 
 def read_obj(path):
-    """World positions and triangles."""
-    points, triangles = [], []
+    """Positions as the file has them, and triangles."""
+    points, triangles, origin = [], [], (0, 0, 0)
     for line in path.read_text().splitlines():
         words = line.split()
-        if words[:1] == ["v"]:
-            points.append([float(x) for x in words[1:4]])
+        if words[:2] == ["#", "origin"]:
+            origin = [float(x.rstrip(":")) for x in words[2:5]]
+        elif words[:1] == ["v"]:
+            points.append([float(x) + o for x, o in zip(words[1:4], origin)])
         elif words[:1] == ["f"]:
             triangles.append([int(word.split("/")[0]) - 1 for word in words[1:4]])
     return numpy.array(points), numpy.array(triangles)

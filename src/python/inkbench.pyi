@@ -143,7 +143,7 @@ def compare(
     creases: str = "angle",
     weld_epsilon: float = 0,
     intersections: str = "above_crease",
-    repetitions: int = 15,
+    repetitions: int = 60,
     budget_ms: float = 20,
     times: bool = True,
     crosscheck: bool = True,

@@ -62,7 +62,7 @@ TEST(Entrant, TheReadmesTenLinesOfPythonTakePart) {
     for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
         if (row.at("method") != "mine") continue;
         EXPECT_EQ(row.at("status"), "ok");
-        EXPECT_EQ(row.at("clock"), "own");
+        EXPECT_EQ(row.at("clock"), "children");
         EXPECT_GT(std::stod(row.at("f_2px")), 0.5);
         EXPECT_GT(std::stod(row.at("draw_ns")), 0);
     }

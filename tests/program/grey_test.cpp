@@ -18,12 +18,18 @@ TEST(GreyLines, OfAnyImageAreScoredAgainstAFileOrAModel) {
     const Desk desk;
     expect_done(desk, "truth torus --size 160x90 -o truth.exr");
     expect_done(desk, "draw torus --methods id_lookup --size 160x90 --antialias 4 -o drawn.png");
-    const std::string told = expect_done(desk, "score drawn.png truth.exr --coverage --csv s.csv");
+    // Of grey lines it may say that another threshold suits them better.
+    const auto score = [&](const std::string& words) {
+        const Outcome outcome = desk.run("score drawn.png " + words);
+        EXPECT_EQ(outcome.exit_code, 0) << words << outcome.err;
+        return outcome.out;
+    };
+    const std::string told = score("truth.exr --coverage --csv s.csv");
     EXPECT_THAT(told, HasSubstr("soft F"));
     EXPECT_THAT(told, HasSubstr("grey lines 1.5 px wide"));
     EXPECT_THAT(desk.read("s.csv"), HasSubstr(",soft_f,ink_line_width_px,"));
     const auto scored = [&](const std::string& words) {
-        return nlohmann::json::parse(expect_done(desk, "score drawn.png " + words + " --json"));
+        return nlohmann::json::parse(score(words + " --json"));
     };
     const auto of_file = scored("truth.exr --coverage");
     const auto of_model = scored("--model torus --coverage");

@@ -163,7 +163,8 @@ std::map<std::string, std::uintmax_t> Desk::inventory() const {
 
 std::string without_progress(const std::string& err) {
     static const std::regex kProgress(
-        R"(^([^:]+: \d+/\d+(, .*)?|\S+: (all )?\d+ cells .*|still about .*|done in .*)$)");
+        R"(^([^:]+: \d+/\d+(, .*)?|\S+: (all )?\d+ cells .*|still about .*|done in .*)"
+        R"(|inkbench: busy machine: times of \d+ of \d+ cells are uncertain)$)");
     std::istringstream lines(err);
     std::string rest;
     for (std::string line; std::getline(lines, line);)

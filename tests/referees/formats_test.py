@@ -21,11 +21,13 @@ def exported(case, folder):
     if done.returncode != 0:
         return done.returncode, done.stderr, None, 0
     mesh = next((Path(folder) / "out").rglob("mesh.obj"))
-    points, triangles, objects = [], [], 0
+    points, triangles, objects, origin = [], [], 0, (0, 0, 0)
     for line in mesh.read_text().splitlines():
         words = line.split()
-        if words[:1] == ["v"]:
-            points.append([float(w) for w in words[1:4]])
+        if words[:2] == ["#", "origin"]:
+            origin = [float(w.rstrip(":")) for w in words[2:5]]
+        elif words[:1] == ["v"]:
+            points.append([float(w) + o for w, o in zip(words[1:4], origin)])
         elif words[:1] == ["f"]:
             triangles.append([points[int(w.split("/")[0]) - 1] for w in words[1:4]])
         elif words[:1] == ["o"]:

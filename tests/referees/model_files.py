@@ -19,15 +19,17 @@ def _used(name, points, faces):
 
 
 def read_obj(path):
-    """A part for each `o` or `g` that has faces."""
-    points, groups, now = [], {}, "all"
+    """A part for each `o` or `g` that has faces. Places are the file's: `# origin` is added to them."""
+    points, groups, now, origin = [], {}, "all", (0, 0, 0)
     with open(path, encoding="utf-8", errors="replace") as file:
         for line in file:
             words = line.split()
             if not words:
                 continue
-            if words[0] == "v":
-                points.append([float(w) for w in words[1:4]])
+            if words[:2] == ["#", "origin"]:
+                origin = [float(w.rstrip(":")) for w in words[2:5]]
+            elif words[0] == "v":
+                points.append([float(w) + o for w, o in zip(words[1:4], origin)])
             elif words[0] in "og":
                 now = " ".join(words[1:]) or "all"
             elif words[0] == "f":
