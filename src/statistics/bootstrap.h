@@ -19,8 +19,8 @@ struct BootstrapOptions {
     std::uint64_t seed = 0;
 };
 
-/// How often each of `clusters` clusters is drawn, with replacement: a line a drawing. The same seed
-/// gives the same everywhere.
+/// How often each of `clusters` clusters is drawn, with replacement: a line a drawing. The same
+/// seed gives the same everywhere.
 [[nodiscard]] std::vector<std::vector<double>> drawings_of(std::size_t clusters,
                                                            const BootstrapOptions& options);
 

@@ -53,20 +53,20 @@ harness::Row scored_row(const std::string& method, const std::string& scene, std
 }
 
 TEST(SummaryCsv, WithoutRowsIsTheHeading) {
-    EXPECT_EQ(
-        summary_csv({}, {}),
-        "method,kind,answer,answer_share,views,scenes,failed,f_2px,f_lo,f_hi,error_scene,error_scene_share,"
-        "f_train,f_heldout,f_real,f_macro,f_kinds,f_1px,precision,"
-        "recall,ap,draw_ms,draw_ms_lo,draw_ms_hi,bytes_per_px,"
-        "recall_contour,recall_contour_lo,recall_contour_hi,"
-        "recall_boundary,recall_boundary_lo,recall_boundary_hi,"
-        "recall_crease,recall_crease_lo,recall_crease_hi,"
-        "recall_intersection,recall_intersection_lo,recall_intersection_hi,"
-        "recall_seam,recall_seam_lo,recall_seam_hi,"
-        "recall_intersection_above_crease,recall_intersection_above_crease_lo,"
-        "recall_intersection_above_crease_hi,"
-        "recall_intersection_below_crease,recall_intersection_below_crease_lo,"
-        "recall_intersection_below_crease_hi\n");
+    EXPECT_EQ(summary_csv({}, {}),
+              "method,kind,answer,answer_share,views,scenes,failed,f_2px,f_lo,f_hi,error_scene,"
+              "error_scene_share,"
+              "f_train,f_heldout,f_real,f_macro,f_kinds,f_1px,precision,"
+              "recall,ap,draw_ms,draw_ms_lo,draw_ms_hi,bytes_per_px,"
+              "recall_contour,recall_contour_lo,recall_contour_hi,"
+              "recall_boundary,recall_boundary_lo,recall_boundary_hi,"
+              "recall_crease,recall_crease_lo,recall_crease_hi,"
+              "recall_intersection,recall_intersection_lo,recall_intersection_hi,"
+              "recall_seam,recall_seam_lo,recall_seam_hi,"
+              "recall_intersection_above_crease,recall_intersection_above_crease_lo,"
+              "recall_intersection_above_crease_hi,"
+              "recall_intersection_below_crease,recall_intersection_below_crease_lo,"
+              "recall_intersection_below_crease_hi\n");
 }
 
 TEST(KindsCsv, HasALinePerMethodAndKindAndIsEmptyWithoutKinds) {
