@@ -103,7 +103,8 @@ TEST(Auto, DrawsWhatTheChosenMethodDraws) {
 /// A ball, and dents of it in two places: frames of one second each.
 scene::Scene dented_ball() {
     scene::Scene scene = scene_of({catalogue::make_icosphere(1, 3)});
-    scene::VertexFrames frames{.frame_count = 3};
+    scene::VertexFrames frames;
+    frames.frame_count = 3;
     for (const glm::vec3 dent : {glm::vec3(0), {0, 0.6F, 0.8F}, {0.8F, 0, 0.6F}}) {
         for (const glm::vec3& p : scene.meshes[0].positions) {
             const float near = glm::dot(dent, p);

@@ -237,13 +237,16 @@ scene::Scene restless() {
     turner.scales = {{0, {1, 2, 1}}, {2, {1, 0.5, 1}}};
     motion.nodes = {{}, bone, turner};
     motion.node_of_instance = {scene::kNoNode, 0, 2};
-    scene::Skin skin{.mesh = 0, .positions = scene.meshes[0].positions, .bones = {{0}, {1}}};
+    scene::Skin skin;
+    skin.positions = scene.meshes[0].positions;
+    skin.bones = {{0}, {1}};
     std::vector<std::vector<scene::BoneWeight>> weights;
     for (const glm::vec3& p : skin.positions)
         weights.push_back({{0, 0.5F - 0.25F * p.x}, {1, 0.5F + 0.25F * p.x}});
     scene::set_weights(weights, skin);
     motion.skins = {skin};
-    scene::Morph::Target target{.weights = {{0, 1}, {2, 0.25}}};
+    scene::Morph::Target target;
+    target.weights = {{0, 1}, {2, 0.25}};
     for (const glm::vec3& p : scene.meshes[1].positions)
         target.positions.push_back(p.x > 0 && p.y > 0 ? glm::vec3(2, 0, p.z) : glm::vec3(0));
     motion.morphs = {{.mesh = 1, .positions = scene.meshes[1].positions, .targets = {target}}};

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +54,7 @@ TEST(Crease, OfTheFileAreTheMarkedSidesWhateverTheyBend) {
 }
 
 TEST(Crease, EitherTriangleMayMarkASide) {
-    for (const std::uint8_t first : {0, 0b010}) {
+    for (const std::uint8_t first : std::array<std::uint8_t, 2>{0, 0b010}) {
         Scene scene = scene_of(square_and_wall());
         scene.meshes[0].marked_sides = {first, 0, static_cast<std::uint8_t>(first == 0 ? 1 : 0)};
         EXPECT_TRUE(creases(weld(scene), kCorner, kHigh, kByFile));
@@ -61,7 +62,7 @@ TEST(Crease, EitherTriangleMayMarkASide) {
 }
 
 TEST(Crease, MarksStayWithTheirSidesInAMirror) {
-    for (const std::uint8_t sides : {0b001, 0b010, 0b100}) {
+    for (const std::uint8_t sides : std::array<std::uint8_t, 3>{0b001, 0b010, 0b100}) {
         Scene scene = scene_of(square_and_wall());
         scene.meshes[0].marked_sides = {sides, 0, 0};
         const Topology straight = weld(scene);
