@@ -74,7 +74,9 @@ TEST(Hardest, TheViewCanBeDrawnByWhatIsPrinted) {
     for (const auto& look : parse_csv(desk.read("out/hardest.csv")))
         if (look.at("rank") == "1") f = look.at("f_2px");
     for (const auto& row : parse_csv(desk.read("again/rows.csv"))) {
-        if (row.at("method") == "mote4") EXPECT_EQ(row.at("f_2px"), f);
+        if (row.at("method") == "mote4") {
+            EXPECT_EQ(row.at("f_2px"), f);
+        }
     }
 }
 
