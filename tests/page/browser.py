@@ -5,6 +5,7 @@ Selenium they skip: the exit code is 77, and the last line says what is missing.
 """
 
 import contextlib
+import csv
 import os
 import shutil
 import subprocess
@@ -47,6 +48,24 @@ def inkbench(*words, codes=(0,)):
         raise AssertionError(f"inkbench {' '.join(map(str, words))}: exit {done.returncode}\n"
                              f"{done.stdout}{done.stderr}")
     return done.stdout
+
+
+def give_times(run, ms):
+    """Gives the rows of a run's folder these times, in ms by method, and writes its page again: what the
+    page shows then depends on no machine."""
+    file = run / "rows.csv"
+    with open(file, newline="") as text:
+        rows = list(csv.DictReader(text))
+    for row in rows:
+        if row["method"] in ms and row["draw_ns"]:
+            for name in ("draw_ns", "draw_ns_median", "draw_ns_q75", "draw_ns_min", "draw_wall_ns", "draw_cpu_ns"):
+                row[name] = round(1e6 * ms[row["method"]])
+            row["time_doubt"] = ""
+    with open(file, "w", newline="") as text:
+        writer = csv.DictWriter(text, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    inkbench("report", run)
 
 
 def open_browser(folder, switches=("--disable-gpu",)):
