@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
-std::filesystem::path model_path(const char* name) {
+std::filesystem::path model_path(const std::string& name) {
     return std::filesystem::path(INK_MODELS_DIR) / name;
 }
 
@@ -59,38 +59,11 @@ scene::Scene make_sphere(int rings, int segments) {
     return scene;
 }
 
-/// Each triangle as four, through the middles of its edges, which neighbours share.
-scene::Mesh subdivide(const scene::Mesh& mesh) {
-    scene::Mesh result;
-    result.name = mesh.name;
-    result.positions = mesh.positions;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-        const auto next = static_cast<std::uint32_t>(result.positions.size());
-        const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), next);
-        if (is_new) result.positions.push_back((mesh.positions[a] + mesh.positions[b]) * 0.5F);
-        return entry->second;
-    };
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const std::uint32_t ab = middle(a, b);
-        const std::uint32_t bc = middle(b, c);
-        const std::uint32_t ca = middle(c, a);
-        result.triangles.insert(result.triangles.end(),
-                                {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    return result;
-}
-
 scene::Scene make_scene(const std::string& name) {
     if (const auto found = model_files().find(name); found != model_files().end())
         return import::import_scene(found->second);
     if (name == "sphere") return make_sphere(131, 266);
-    if (name == "dragon") return import::import_scene(model_path("dragon.ply"));
-    scene::Scene bunny = import::import_scene(model_path("bunny.obj"));
-    if (name == "bunny") return bunny;
-    for (scene::Mesh& mesh : bunny.meshes)
-        mesh = subdivide(subdivide(mesh));
-    return bunny;
+    return import::import_scene(model_path(name + ".ply"));
 }
 
 }  // namespace
@@ -101,9 +74,8 @@ std::vector<ImageSize> image_sizes() {
 
 std::vector<std::string> mesh_names() {
     std::vector<std::string> names = {"sphere"};
-    if (std::filesystem::exists(model_path("bunny.obj")))
-        names.insert(names.end(), {"bunny", "bunny_x16"});
-    if (std::filesystem::exists(model_path("dragon.ply"))) names.push_back("dragon");
+    for (const char* name : {"dragon_coarse", "dragon"})
+        if (std::filesystem::exists(model_path(std::string(name) + ".ply"))) names.push_back(name);
     for (const auto& [name, path] : model_files()) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Instructions of the hot kernels, counted by valgrind's callgrind, as a Markdown table.
 
-    bench/callgrind.py [--simd AVX2] [--mesh bunny] [--method mote4] [--functions] [--readme]
+    bench/callgrind.py [--simd AVX2] [--mesh dragon_coarse] [--method mote4] [--functions] [--readme]
 
 Filters: what one call of a row kernel costs, all it calls included, over its pixels. Stages of a
 frame: what three draws cost more than one, halved, so that nothing of the start is in it, summed
@@ -163,7 +163,7 @@ def frame_lines(counter, benchmark, with_functions):
 
 def add_options(add):
     add("--simd", default="AVX2", help="instruction set that kernels run on")
-    add("--mesh", default="bunny")
+    add("--mesh", default="dragon_coarse")
     add("--method", default="mote4")
     add("--functions", action="store_true", help="which function went to which stage, on stderr")
 

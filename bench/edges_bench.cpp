@@ -122,14 +122,14 @@ void add_edge_benchmarks() {
     };
     std::vector<std::string> meshes{"rocket", "rocket_mixed", "ball"};
     for (const std::string& mesh : mesh_names()) {
-        if (mesh == "sphere" || mesh == "bunny") meshes.push_back(mesh);
+        if (mesh == "sphere" || mesh == "dragon_coarse") meshes.push_back(mesh);
     }
     const std::array<std::pair<EdgeBuilder, std::string>, 3> builders{
         {{EdgeBuilder::all_pairs, "all_pairs"},
          {EdgeBuilder::temp_list, "temp_list"},
          {EdgeBuilder::hash, "hash"}}};
     for (const std::string& mesh : meshes) {
-        const bool is_large = mesh == "sphere" || mesh == "bunny";
+        const bool is_large = mesh == "sphere" || mesh == "dragon_coarse";
         for (const auto& [builder, name] : builders) {
             if (is_large && builder == EdgeBuilder::all_pairs) continue;  // 2e10 comparisons
             add("edges/" + name, time_builder, builder, mesh);

@@ -135,41 +135,40 @@ def two_threads(work, one, two):
     return Row(work, "", ">= 1.85 x one", [gain(one, two, "x", at_least=1.85)])
 
 
-LINES = ["truth/bunny/1080p/eye", "truth/bunny/1080p/bvh", "truth/bunny/1080p/lines"]
+LINES = ["truth/dragon_coarse/1080p/eye", "truth/dragon_coarse/1080p/bvh", "truth/dragon_coarse/1080p/lines"]
 
 
 def rows():
     u8 = "filter/laplacian/u8/1080p"
-    dense = "truth_dense/bunny/1080p"
+    dense = "truth_dense/dragon_coarse/1080p"
     return [
         filter_row("u8 four-neighbour Laplacian, scale, clip", "u8", ">= 9 x OpenCV", None, 9),
         filter_row("u16 the same", "u16", "0.97 of copy, 14 x OpenCV", 0.97, 14),
         filter_row("4 x f32 Laplacian, sum, threshold", "f32x4", "0.9 of copy, 5.3 x OpenCV",
                    0.9, 5.3),
-        frame_row("whole frame, `mote4`: byte pack, depth and filter, bunny (69 k triangles)",
-                  "bunny"),
-        frame_row("the same, bunny subdivided twice (1.1 M triangles)", "bunny_x16"),
+        frame_row("whole frame, `mote4`: byte pack, depth and filter, coarse dragon (47 k triangles)",
+                  "dragon_coarse"),
         frame_row("the same, dragon (871 k triangles)", "dragon"),
-        two_threads("two threads, whole frame, bunny", frame("bunny"), frame("bunny", 2)),
-        two_threads("two threads, whole frame, 1.1 M triangles",
-                    frame("bunny_x16"), frame("bunny_x16", 2)),
+        two_threads("two threads, whole frame, coarse dragon", frame("dragon_coarse"), frame("dragon_coarse", 2)),
+        two_threads("two threads, whole frame, dragon",
+                    frame("dragon"), frame("dragon", 2)),
         two_threads("two threads, u8 filter", u8, u8 + "/threads:2"),
-        Row("truth of bunny's lines (facing, tree, lines)",
+        Row("truth of the coarse dragon's lines (facing, tree, lines)",
             "16 x 16 rays in every pixel",
             "under 100 ms, >= 20 x less than dense rays",
             [Check(lambda run: run.ms(*LINES), "ms", at_most=100),
              Check(lambda run: run.ns(dense) / (run.ms(*LINES) * 1e6), "x less", at_least=20)]),
-        Row("dense rays only where corners differ, bunny", "17-23 x less\\*", ">= 20 x less",
-            [gain(dense, "truth_adaptive/bunny/1080p", "x less", at_least=20)]),
+        Row("dense rays only where corners differ, coarse dragon", "17-23 x less\\*", ">= 20 x less",
+            [gain(dense, "truth_adaptive/dragon_coarse/1080p", "x less", at_least=20)]),
         Row("scorer, 36 k truth pixels", "BSDS 29 s\\*", "< 25 ms",
             [Check(lambda run: run.ms("score/36k"), "ms", at_most=25)]),
-        Row("1998's claim, whole frame, bunny: `mote4` before `decaudin`", "`decaudin`",
-            "the quicker", [gain(frame("bunny", method="decaudin"), frame("bunny"), "x", at_least=1)]),
+        Row("1998's claim, whole frame, coarse dragon: `mote4` before `decaudin`", "`decaudin`",
+            "the quicker", [gain(frame("dragon_coarse", method="decaudin"), frame("dragon_coarse"), "x", at_least=1)]),
         Row("the same, filter alone", "`decaudin`", "the quicker",
             [gain("filter/decaudin/1080p", u8, "x", at_least=1)]),
-        Row("the same, raster alone, bunny: one interpolant before four", "four floats",
+        Row("the same, raster alone, coarse dragon: one interpolant before four", "four floats",
             "the quicker",
-            [gain("raster/f32x4/bunny/1080p/threads:1", "raster/u8/bunny/1080p/threads:1", "x",
+            [gain("raster/f32x4/dragon_coarse/1080p/threads:1", "raster/u8/dragon_coarse/1080p/threads:1", "x",
                   at_least=1)]),
     ]
 

@@ -241,7 +241,6 @@ void add_truth_benchmarks() {
         add(name + "/layers", time_layers, mesh);
     }
     for (const std::string& mesh : mesh_names()) {
-        if (mesh == "bunny_x16") continue;
         const std::string name = mesh + "/1080p";
         add("truth_dense/" + name, time_dense, mesh, false);
         add("truth_adaptive/" + name, time_dense, mesh, true);

@@ -62,11 +62,11 @@ TEST(SpeedTable, GivesRatiosOfLeastTimesAndMarksWhatIsMissed) {
                   {"memcpy/f32x4/1080p", 800},
                   {"filter/laplacian/f32x4/1080p", 1000},
                   {"opencv/laplacian/f32x4/1080p", 6000},
-                  {"frame/mote4/bunny/1080p/threads:1", 380},
-                  {"frame/mote4/bunny/1080p/threads:2", 200},
-                  {"frame/mote4/bunny_x16/1080p/threads:1", 2000},
-                  {"embree/primary/bunny/1080p/threads:1", 9500},
-                  {"embree/primary/bunny_x16/1080p/threads:1", 1000}}),
+                  {"frame/mote4/dragon_coarse/1080p/threads:1", 380},
+                  {"frame/mote4/dragon_coarse/1080p/threads:2", 200},
+                  {"frame/mote4/dragon/1080p/threads:1", 2000},
+                  {"embree/primary/dragon_coarse/1080p/threads:1", 9500},
+                  {"embree/primary/dragon/1080p/threads:1", 1000}}),
         AllOf(HasSubstr("Least of 2 or more interleaved repetitions, made up"),
               HasSubstr(
                   "| u8 four-neighbour Laplacian, scale, clip | a copy of as many bytes, OpenCV "
@@ -131,7 +131,7 @@ calls=2 12
 7 8294400
 END
     ;;
-    *frame/mote4/bunny*) cat > "$profile" <<END
+    *frame/mote4/dragon_coarse*) cat > "$profile" <<END
 events: Ir
 fn=(1) ink::raster::fill_tile<ink::raster::SetupTriangle>()
 1 $((1000000 + draws * 4147200))
@@ -160,7 +160,7 @@ std::string counted(const std::string& flags = "") {
 }
 
 TEST(Callgrind, CountsAPixelsWorkAndStagesByTheDifferenceOfDraws) {
-    const std::string frame = " | `frame/mote4/bunny/1080p/threads:1` | ";
+    const std::string frame = " | `frame/mote4/dragon_coarse/1080p/threads:1` | ";
     EXPECT_THAT(counted(),
                 AllOf(HasSubstr("| Laplacian, u8 | `filter/laplacian/u8/1080p` | pixel | 2.00 |\n"),
                       HasSubstr("| whole frame" + frame + "pixel | 2.00 |\n"),
