@@ -15,7 +15,8 @@ inline constexpr double kAlikeTimes = 1.15;
 /// What a reader asks of the answer to "which method makes the fewest errors in this time?".
 struct AnswerRule {
     double f_margin = 0.01;  ///< an F this far below the best measured is as good
-    /// Longest time of a frame, a median over views; 0: any. A method without a time is within none.
+    /// Longest time of a frame, a median over views; 0: any. A method without a time is within
+    /// none.
     double budget_ms = 0;
 
     friend bool operator==(const AnswerRule&, const AnswerRule&) = default;
