@@ -44,7 +44,8 @@ struct CreaseProposal {
 /// faces that bend at all (by 1 degree). The angle is the geometric mean of its ends, in whole
 /// degrees; 40 where there is no such range.
 ///
-/// The numbers come from CAD models whose edges are known (experiments/cad_edges.md). O(edges).
+/// The numbers come from CAD models whose edges are known (experiments/notes/cad_edges.md).
+/// O(edges).
 [[nodiscard]] CreaseProposal propose_crease(const Topology& topology);
 
 /// Throws core::Error (where = the scene's name) if creases are to be the file's, and no mesh of

@@ -40,7 +40,7 @@ struct BootstrapOptions {
                                                  const BootstrapOptions& options);
 
 /// How many of 100 such intervals, of F or of a paired difference, hold the truth: simulated from
-/// the scenes of the catalogue (experiments/intervals.md), for the number of scenes nearest to
+/// the scenes of the catalogue (experiments/notes/intervals.md), for the number of scenes nearest to
 /// this.
 [[nodiscard]] int known_coverage_percent(int clusters);
 

@@ -18,7 +18,7 @@ struct Estimate {
 /// Where clusters that all differ by the same would leave rounding for an error.
 constexpr double kNoError = 1e-12;
 /// Of the measured error, the least that a drawing's counts for: in a pair's own interval, and in
-/// those of all. Chosen by simulation for coverage and width (experiments/intervals.md).
+/// those of all. Chosen by simulation for coverage and width (experiments/notes/intervals.md).
 constexpr double kLeastOwn = 0.25;
 constexpr double kLeastOfAll = 0.5;
 

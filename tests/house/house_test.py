@@ -4,13 +4,16 @@
                              breach of every rule in made-up files and expects it to be found
 """
 
+import posixpath
 import re
 import sys
 from collections import defaultdict
 from pathlib import Path
 
 MADE = {".git", "build", "inkbench-out", "bootstrap.log"}  # no part of the sources, as in .gitignore
-MOST_FILES, MOST_LINES, MOST_FLOORS, MOST_README_WORDS = 60, 4300, 10, 500
+MOST_FILES, MOST_LINES, MOST_FLOORS = 60, 4300, 10
+MOST_README_WORDS, MOST_NOTE_WORDS, MOST_WORDS = 500, 600, 68_000
+GENERATED = "experiments/columns.md"
 DRAWERS = {"util", "utils", "common", "helper", "helpers", "misc"}
 
 # A library: what its includes begin with, the folders in which any file may, and how many others may.
@@ -50,15 +53,14 @@ HABITS = {
 
 
 def read_tree(root):
-    """{path: text} of every text file below a folder; one with a zero byte is none."""
+    """{path: text} of every file below a folder; one with a zero byte is no text and has none."""
     tree = {}
     for path in sorted(root.rglob("*")):
         name = path.relative_to(root).as_posix()
         if name.split("/")[0] in MADE or not path.is_file():
             continue
         data = path.read_bytes()
-        if b"\0" not in data:
-            tree[name] = data.decode("utf-8", "replace")
+        tree[name] = "" if b"\0" in data else data.decode("utf-8", "replace")
     return tree
 
 
@@ -282,8 +284,40 @@ def check_prose(tree):
             yield f"{path}:{line}: '{found}': write {instead}"
 
 
+def check_words(tree):
+    """Pages are short together, and so is each note."""
+    words = {path: len(text.split()) for path, text in tree.items()
+             if path.endswith(".md") and path != GENERATED}
+    if sum(words.values()) > MOST_WORDS:
+        yield f"all pages: {sum(words.values())} words, of {MOST_WORDS} at most"
+    for path, count in words.items():
+        if path.startswith("experiments/notes/") and count > MOST_NOTE_WORDS:
+            yield f"{path}: {count} words, of {MOST_NOTE_WORDS} at most"
+
+
+def anchors_of(page):
+    """What links may name behind a #: headings in small letters, without marks, blanks as hyphens."""
+    headings = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", page, flags=re.M | re.S), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def check_links(tree):
+    """What a page links to is there, the heading too."""
+    folders = folders_of(tree)
+    for path, line, link in matches(tree, r"\]\(([^)\s]+)\)", lambda path: path.endswith(".md")):
+        file, _, anchor = link.partition("#")
+        if ":" in file:
+            continue
+        target = posixpath.normpath(posixpath.join(posixpath.dirname(path), file)) if file else path
+        if target not in tree and target not in folders:
+            yield f"{path}:{line}: there is no {target}"
+        elif anchor and anchor not in anchors_of(tree.get(target, "")):
+            yield f"{path}:{line}: {target} has no #{anchor}"
+
+
 RULES = [check_arrows, check_floors, check_libraries, check_folders, check_sizes, check_tests, check_methods,
-         check_headers, check_flags, check_readme, check_prose]
+         check_headers, check_flags, check_readme, check_prose, check_words,
+         check_links]
 
 # ---- Planted faults -------------------------------------------------------------------------
 
@@ -333,6 +367,10 @@ PLANTED = [
     (check_readme, "README.md", "word " * 501, "501 words"),
     (check_prose, "a.md", "Time\nhangs\non it.", "a.md:2: 'hangs\non': write depends on"),
     (check_prose, "a.md", "F .918", "a.md:1: '.918': write its leading zero"),
+    (check_words, "a.md", "word " * MOST_WORDS, "all pages: "),
+    (check_words, "experiments/notes/a.md", "word " * 601, "experiments/notes/a.md: 601 words"),
+    (check_links, "tests/a.md", "[a](b.md)", "tests/a.md:1: there is no tests/b.md"),
+    (check_links, "tests/a.md", "# A b, `c`\n[a](#a-b-c) [b](#a)", "tests/a.md:2: tests/a.md has no #a"),
 ]
 
 

@@ -10,7 +10,7 @@ const NO_ERROR = 1e-12;
 const LEAST_OWN = 0.25;
 const LEAST_OF_ALL = 0.5;
 
-/// How many of 100 intervals hold the truth (experiments/intervals.md).
+/// How many of 100 intervals hold the truth (experiments/notes/intervals.md).
 function knownCoverage(scenes) {
     return scenes < 11 ? 80 : scenes < 26 ? 85 : 90;
 }
