@@ -40,8 +40,8 @@ struct BootstrapOptions {
                                                  const BootstrapOptions& options);
 
 /// How many of 100 such intervals, of F or of a paired difference, hold the truth: simulated from
-/// the scenes of the catalogue (experiments/notes/intervals.md), for the number of scenes nearest to
-/// this.
+/// the scenes of the catalogue (experiments/notes/intervals.md), for the number of scenes nearest
+/// to this.
 [[nodiscard]] int known_coverage_percent(int clusters);
 
 /// The same of the difference of two pooled F, a's less b's. `a[i]` and `b[i]` are of one cluster

@@ -31,7 +31,8 @@ struct PairedIntervals {
 /// error of its own, to first order, and lies some errors away from the difference that was
 /// measured; how many in the 2.5 % of drawings at either end says how wide the pair's own interval
 /// is (the bootstrap t). Of the catalogue's scenes that covers 90 of 100 differences where plain
-/// percentiles cover 88, and with 16 scenes 84 where they cover 79 (experiments/notes/intervals.md).
+/// percentiles cover 88, and with 16 scenes 84 where they cover 79
+/// (experiments/notes/intervals.md).
 ///
 /// Who looks at many pairs, or picks the best of many methods, finds leads by chance: of twenty
 /// intervals one misses. Therefore the largest distance of each drawing decides how wide the

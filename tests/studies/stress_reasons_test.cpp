@@ -8,8 +8,9 @@
 #include "studies/axis_rows.h"
 #include "studies/stress/stress_axes.h"
 
-// experiments/notes/stress.md says why methods fail on an axis. Each reason is held here by something
-// that would come out otherwise if it were wrong: another axis, another setting, another method.
+// experiments/notes/stress.md says why methods fail on an axis. Each reason is held here by
+// something that would come out otherwise if it were wrong: another axis, another setting, another
+// method.
 
 namespace ink::studies {
 namespace {
