@@ -9,12 +9,10 @@ import pandas as pd
 
 BASELINES = {"none", "sampled", "exact_corner", "oracle"}
 
-
 def refuse(message):
     """Ends the script: what it was given cannot be used."""
     print(message, file=sys.stderr)
     raise SystemExit(2)
-
 
 def words_of(page, least=1, most=None):
     """The words of the command line; exit code 2 and the page where they are too few or too many."""
@@ -23,7 +21,6 @@ def words_of(page, least=1, most=None):
         refuse(page.strip())
     return words
 
-
 def read(folder, *names, by="compare"):
     """These tables of a run folder that `inkbench BY` wrote; exit code 2 where it has them not."""
     try:
@@ -31,32 +28,22 @@ def read(folder, *names, by="compare"):
     except (OSError, ValueError) as reason:
         refuse(f"{folder}: {reason} (accepted: a folder that inkbench {by} wrote)")
 
-
-def said(words, accepted=(0,), on_refusal=refuse):
-    """What a program prints; where it refuses, its own message goes to `on_refusal`."""
-    ran = subprocess.run(words, capture_output=True, text=True)
-    if ran.returncode not in accepted:
-        on_refusal(ran.stderr.strip())
-    return ran.stdout
-
-
-def compared(program, *words, on_refusal=refuse):
+def compared(program, *words):
     """The scored rows of `inkbench compare` with these words, without times, sweeps, checks and images."""
     with tempfile.TemporaryDirectory() as folder:
-        said([program, "compare", *words, "--no-sweep", "--no-times", "--no-crosscheck", "--images", "none", "--quiet",
-              "--out", folder], (0, 1, 3), on_refusal)  # 1 and 3: all or some views have no score
+        ran = subprocess.run([program, "compare", *words, "--no-sweep", "--no-times", "--no-crosscheck", "--images", "none",
+                              "--quiet", "--out", folder], capture_output=True, text=True)
+        if ran.returncode not in (0, 1, 3):  # 1 and 3: all or some views have no score
+            refuse(ran.stderr.strip())
         return scored(read(folder, "rows.csv")[0])
-
 
 def scored(rows, without=("none", "oracle")):
     """The rows that have a score, but for some methods."""
     return rows[(rows.status == "ok") & ~rows.method.isin(without)]
 
-
 def pooled_f(counts, k="k_2px"):
     """F at 2 px of summed counts: a number, or one a line."""
     return 2 * counts[k] / (counts.n_pred + counts.n_truth)
-
 
 def print_heads(texts, numbers):
     """The two lines above a table in Markdown."""

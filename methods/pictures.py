@@ -23,9 +23,16 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measured import ROOT, BadPage
+ROOT = Path(__file__).resolve().parent.parent
 
 SHOWN = re.compile(r"!\[[^\]]*\]\((?P<picture>\w+\.png)\).*?Made by\s+`inkbench (?P<asked>figures [^`]*)`", re.DOTALL)
+
+
+class BadPage(Exception):
+    """What a page asks for cannot be had: where, what is wrong, what is accepted."""
+
+    def __init__(self, where, what, accepted):
+        super().__init__(f"{where}: {what} (accepted: {accepted})")
 
 
 def make_picture(page, program):

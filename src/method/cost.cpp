@@ -36,20 +36,4 @@ std::string cost_sentence(const Cost& cost) {
                        cost.buffer_bytes_per_px + cost.filter.read + cost.filter.written);
 }
 
-std::string cost_table(const Cost& cost) {
-    std::string table = "| per | what | count |\n|---|---|---|\n";
-    const auto line = [&table](const char* per, const char* what, double count) {
-        table += fmt::format("| {} | {} | {:g} |\n", per, what, count);
-    };
-    line("frame", "passes over the triangles", cost.passes);
-    line("vertex", "values computed", cost.values_per_vertex);
-    line("triangle", "interpolants set up, beside depth", cost.interpolants);
-    line("covered pixel", "bytes read", cost.fill.read);
-    line("covered pixel", "bytes written", cost.fill.written);
-    line("pixel", "bytes cleared", cost.buffer_bytes_per_px);
-    line("pixel", "bytes read by the filter", cost.filter.read);
-    line("pixel", "bytes written by the filter", cost.filter.written);
-    return table;
-}
-
 }  // namespace ink::method

@@ -34,10 +34,8 @@ struct Cost {
 /// read, and all it holds written.
 [[nodiscard]] Cost pass_cost(const raster::PassFormat& format);
 
-/// The declared cost in a line of plain text: "1 pass, 1 interpolant, ..."; "not declared".
+/// The declared cost in a line of plain text, as methods' pages have it: "1 pass, 1 interpolant,
+/// ..."; "not declared".
 [[nodiscard]] std::string cost_sentence(const Cost& cost);
-
-/// The declared cost as the Markdown table of a method's page.
-[[nodiscard]] std::string cost_table(const Cost& cost);
 
 }  // namespace ink::method

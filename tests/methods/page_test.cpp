@@ -15,11 +15,16 @@ std::string page_of(const std::string& method) {
     return core::read_whole_file(path).value_or("");
 }
 
-/// The parameters of a method as its page has them, a row each.
+/// The parameters of a method as its page has them, a row each; of a preset those whose default
+/// is its own.
 std::string parameter_table(const method::MethodInfo& method) {
     std::string table =
         "| parameter | default | values | unit | meaning |\n|---|---|---|---|---|\n";
-    for (const core::Param& param : method.params) {
+    const method::MethodInfo* base =
+        method.preset_of.empty() ? nullptr : &find_method(method.preset_of);
+    for (std::size_t i = 0; i < method.params.size(); ++i) {
+        const core::Param& param = method.params[i];
+        if (base && param.default_value == base->params[i].default_value) continue;
         table += fmt::format("| `{}` | `{}` | {} | {} | {} |\n",
                              param.name,
                              core::format_param(param, param.default_value),
