@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
+#include <set>
 
 #include "core/escape.h"
 #include "core/whole_file.h"
@@ -15,24 +18,41 @@ std::string page_of(const std::string& method) {
     return core::read_whole_file(path).value_or("");
 }
 
-/// The parameters of a method as its page has them, a row each; of a preset those whose default
-/// is its own.
-std::string parameter_table(const method::MethodInfo& method) {
+std::string parameter_row(const core::Param& param) {
+    return fmt::format("| `{}` | `{}` | {}{}{} | {} |\n",
+                       param.name,
+                       core::format_param(param, param.default_value),
+                       core::markdown_cell(core::accepted_values(param)),
+                       param.unit.empty() ? "" : " ",
+                       param.unit,
+                       core::markdown_cell(param.doc));
+}
+
+/// The parameters of a method as its page has them, a row each. Those that are in every way as in
+/// method `other`, if there is one, are named below the table.
+std::string parameter_table(const method::MethodInfo& method, const std::string& other = "") {
+    std::set<std::string> others;
+    if (!other.empty())
+        for (const core::Param& param : find_method(other).params)
+            others.insert(parameter_row(param));
     std::string table = "| parameter | default | values | meaning |\n|---|---|---|---|\n";
-    const method::MethodInfo* base =
-        method.preset_of.empty() ? nullptr : &find_method(method.preset_of);
-    for (std::size_t i = 0; i < method.params.size(); ++i) {
-        const core::Param& param = method.params[i];
-        if (base && param.default_value == base->params[i].default_value) continue;
-        table += fmt::format("| `{}` | `{}` | {}{}{} | {} |\n",
-                             param.name,
-                             core::format_param(param, param.default_value),
-                             core::markdown_cell(core::accepted_values(param)),
-                             param.unit.empty() ? "" : " ",
-                             param.unit,
-                             core::markdown_cell(param.doc));
+    std::vector<std::string> same;
+    for (const core::Param& param : method.params) {
+        const std::string row = parameter_row(param);
+        if (others.contains(row))
+            same.push_back(fmt::format("`{}`", param.name));
+        else
+            table += row;
     }
-    return table;
+    if (same.empty()) return table;
+    return fmt::format(
+        "{0}\nAs in [{1}](../{1}/{1}.md): {2}.\n", table, other, fmt::join(same, ", "));
+}
+
+/// The method after "As in" in a text, or nothing.
+std::string other_method(const std::string& text) {
+    std::smatch found;
+    return std::regex_search(text, found, std::regex(R"(\nAs in \[(\w+)\])")) ? found[1].str() : "";
 }
 
 TEST(Page, EveryMethodHasItsPartsInOrder) {
@@ -62,7 +82,8 @@ TEST(Page, ParametersAreThoseOfTheTable) {
         ASSERT_NE(first, std::string::npos) << info.name;
         ASSERT_NE(last, std::string::npos) << info.name;
         const std::size_t start = first + begin.size();
-        EXPECT_EQ(page.substr(start, last - start), parameter_table(info))
+        const std::string text = page.substr(start, last - start);
+        EXPECT_EQ(text, parameter_table(info, other_method(text)))
             << "put this between the markers of methods/" << info.name << "/" << info.name << ".md";
     }
 }
@@ -73,6 +94,15 @@ TEST(ParameterTable, HasARowPerParameterAndEscapesBars) {
     EXPECT_NE(table.find("absolute \\| positive \\| wrap"), std::string::npos);
     EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
               find_method("mote4").params.size() + 2);
+}
+
+TEST(ParameterTable, NamesBelowItWhatIsAsInAnotherMethod) {
+    const std::string table = parameter_table(find_method("mote4"), "mote2");
+    EXPECT_NE(table.find("\n| `range_nx` |"), std::string::npos);
+    EXPECT_NE(table.find("\n\nAs in [mote2](../mote2/mote2.md): `depth_encoding`, "),
+              std::string::npos);
+    EXPECT_EQ(table.find("| `response` |"), std::string::npos);
+    EXPECT_EQ(other_method(table), "mote2");
 }
 
 }  // namespace
