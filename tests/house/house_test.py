@@ -304,7 +304,8 @@ def anchors_of(page):
 def check_links(tree):
     """What a page links to is there, the heading too."""
     folders = folders_of(tree)
-    for path, line, link in matches(tree, r"\]\(([^)\s]+)\)", lambda path: path.endswith(".md")):
+    pages = {path: re.sub(r"`[^`\n]*`", "`", text) for path, text in tree.items() if path.endswith(".md")}
+    for path, line, link in matches(pages, r"\]\(([^)\s]+)\)", lambda path: True):
         file, _, anchor = link.partition("#")
         if ":" in file:
             continue
