@@ -18,7 +18,6 @@
 #include "report/text/verdict.h"
 #include "studies/axis_summary.h"
 #include "studies/hardest/hardest_table.h"
-#include "summary/summary.h"
 #include "summary/summary_csv.h"
 
 namespace ink::cli {
@@ -30,8 +29,8 @@ using nlohmann::json;
 constexpr int kInvalid = 1;  ///< also where no cell has a score
 constexpr int kUnscored = 3;
 
-json methods_json(const std::vector<harness::Row>& rows) {
-    return list_of(summary::summarise(rows), [](const summary::MethodSummary& s) -> json {
+json methods_json(const std::vector<summary::MethodSummary>& summaries) {
+    return list_of(summaries, [](const summary::MethodSummary& s) -> json {
         return {{"method", s.method},
                 {"views", s.views},
                 {"failed", s.failed},
@@ -46,16 +45,15 @@ json methods_json(const std::vector<harness::Row>& rows) {
     });
 }
 
-json answer_json(const std::vector<harness::Row>& rows, const summary::AnswerRule& rule) {
-    const auto summaries = summary::summarise(rows);
-    const summary::Answer answer = summary::find_answer(summaries, rule);
+json answer_json(const summary::Comparison& comparison) {
+    const summary::Answer answer = comparison.answer();
     const auto name_of = [](const summary::MethodSummary* s) {
         return s == nullptr ? json(nullptr) : json(s->method);
     };
     return {{"method", name_of(answer.method)},
             {"most_exact", name_of(answer.most_exact)},
-            {"f_margin", rule.f_margin},
-            {"budget_ms", rule.budget_ms}};
+            {"f_margin", comparison.rule.f_margin},
+            {"budget_ms", comparison.rule.budget_ms}};
 }
 
 using UnscoredCells = std::vector<summary::Unscored>;
@@ -78,15 +76,15 @@ json result_json(const experiment::RunData& run,
             {"kind", record.kind},
             {"state", experiment::name(record.state)},
             {"page", page.string()},
-            {"methods", methods_json(run.tables.rows)},
-            {"answer", answer_json(run.tables.rows, record.answer)},
+            {"methods", methods_json(run.comparison.summaries)},
+            {"answer", answer_json(run.comparison)},
             {"unscored", unscored_json(unscored)},
             {"missing", record.missing_blocks},
             {"faults", record.faults}};
 }
 
-report::VerdictOptions verdict_options(const experiment::RunRecord& record) {
-    return {record.answer, static_cast<int>(record.missing_blocks.size()), record.blocks};
+report::Missing missing_of(const experiment::RunRecord& record) {
+    return {static_cast<int>(record.missing_blocks.size()), record.blocks};
 }
 
 /// A run of views that were chosen because they are bad is no comparison.
@@ -94,9 +92,10 @@ bool is_comparison(const experiment::RunData& run) {
     return !run.tables.rows.empty() && run.tables.hardest.empty();
 }
 
-void print_comparison(const experiment::RunTables& tables, const experiment::RunRecord& record) {
-    const harness::Row& first = tables.rows.front();
-    if (!record.one_place) {
+void print_comparison(const experiment::RunData& run) {
+    const std::vector<harness::Row>& rows = run.tables.rows;
+    const harness::Row& first = rows.front();
+    if (!run.record.one_place) {
         fmt::print(
             "At {}x{} px on {} thread(s); the other sizes and numbers of threads are in "
             "rows.csv.\n",
@@ -104,7 +103,7 @@ void print_comparison(const experiment::RunTables& tables, const experiment::Run
             first.height,
             first.threads);
     }
-    fmt::print("{}\n", report::verdict_table(tables.rows, verdict_options(record)));
+    fmt::print("{}\n", report::verdict_table(rows, run.comparison, missing_of(run.record)));
 }
 
 /// How many times of the comparison and of all studies are uncertain; "" if none are.
@@ -137,8 +136,9 @@ void print_warnings(const experiment::RunRecord& record,
 /// verdict.md of a comparison of one size and number of threads.
 void write_verdict_of(const experiment::RunData& run) {
     if (!is_comparison(run)) return;
-    core::write_whole_file(run.folder / "verdict.md",
-                           report::verdict_markdown(run.tables.rows, verdict_options(run.record)));
+    core::write_whole_file(
+        run.folder / "verdict.md",
+        report::verdict_markdown(run.tables.rows, run.comparison, missing_of(run.record)));
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     if (is_json) {
         fmt::print("{}\n", result_json(run, unscored, page).dump(2));
     } else {
-        if (is_comparison(run)) print_comparison(run.tables, run.record);
+        if (is_comparison(run)) print_comparison(run);
         fmt::print("{}", studies::hardest_text(run.tables.hardest));
         fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
         if (!run.tables.bounds.empty())

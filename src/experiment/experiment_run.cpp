@@ -47,8 +47,10 @@ void write_files(const Plan& plan, const fs::path& folder) {
 RunRecord answered_anew(RunRecord record, const RunRecord& mine, const fs::path& folder) {
     const RunTables tables = read_run(folder).tables;
     if (fs::exists(folder / "summary.csv")) {
+        summary::Comparison comparison = summary::compare_methods(tables.rows, mine.answer);
+        summary::add_curves(tables.curves, comparison.summaries);
         core::write_whole_file(folder / "summary.csv",
-                               summary::summary_csv(tables.rows, tables.curves, mine.answer));
+                               summary::summary_csv(tables.rows, comparison));
     }
     record.asked = mine.asked;
     record.answer = mine.answer;

@@ -84,6 +84,25 @@ std::map<std::string, harness::CsvTable> split_tables(const Texts& texts,
     return tables;
 }
 
+/// Worked out anew only where the run has no tables of it, or those of another version.
+summary::Comparison comparison_of(const RunData& run) {
+    if (run.tables.rows.empty()) return {};
+    const auto summary = run.texts.find("summary.csv");
+    const auto differences = run.texts.find("differences.csv");
+    if (run.record.one_place && summary != run.texts.end() && differences != run.texts.end()) {
+        auto read =
+            summary::read_comparison(run.tables.rows,
+                                     run.record.answer,
+                                     harness::split_csv(summary->second, "summary.csv"),
+                                     harness::split_csv(differences->second, "differences.csv"));
+        if (read) return *std::move(read);
+    }
+    RunTables kept;
+    kept.rows = run.tables.rows;
+    keep_one_place(kept);
+    return summary::compare_methods(kept.rows, run.record.answer);
+}
+
 }  // namespace
 
 RunTables parse_tables(const Texts& texts, const std::string& where) {
@@ -174,6 +193,7 @@ RunData read_run(const fs::path& folder) {
     }
     run.tables = parse_tables(texts, folder.string());
     run.texts = std::move(texts);
+    run.comparison = comparison_of(run);
     return run;
 }
 

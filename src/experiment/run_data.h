@@ -11,6 +11,7 @@
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
 #include "studies/hardest/hardest_view.h"
+#include "summary/comparison.h"
 
 namespace ink::experiment {
 
@@ -35,6 +36,9 @@ struct RunData {
     RunRecord record;
     std::map<std::string, std::string> texts;  ///< every table as CSV, by file name
     RunTables tables;                          ///< the same, read
+    /// What the rows of the first size and number of threads say together, as summary.csv and
+    /// differences.csv have it; empty of a run that compares nothing.
+    summary::Comparison comparison;
 };
 
 /// Leaves the rows and settings of the first size and number of threads: no one time of a method

@@ -12,7 +12,6 @@
 #include "harness/tables/csv_table.h"
 #include "studies/axis_summary.h"
 #include "summary/cost_model.h"
-#include "summary/paired_differences.h"
 #include "summary/summary_csv.h"
 
 namespace ink::experiment {
@@ -70,12 +69,12 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
         tables.push_back({table.name, std::move(texts.at(table.name))});
     // Over several sizes or numbers of threads no one time of a method means anything.
     if (record.one_place && record.kind == "compare") {
-        tables.push_back(
-            {"summary.csv", summary::summary_csv(data.rows, data.curves, record.answer)});
-        if (std::string kinds = summary::kinds_csv(data.rows); !kinds.empty())
+        summary::Comparison comparison = summary::compare_methods(data.rows, record.answer);
+        summary::add_curves(data.curves, comparison.summaries);
+        tables.push_back({"summary.csv", summary::summary_csv(data.rows, comparison)});
+        if (std::string kinds = summary::kinds_csv(comparison.summaries); !kinds.empty())
             tables.push_back({"kinds.csv", std::move(kinds)});
-        tables.push_back({"differences.csv",
-                          summary::differences_csv(summary::all_paired_differences(data.rows))});
+        tables.push_back({"differences.csv", summary::differences_csv(comparison.differences)});
     }
     if (record.kind == "compare")
         tables.push_back(

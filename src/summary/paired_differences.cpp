@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "harness/tables/csv.h"
+#include "harness/tables/table_of.h"
 #include "statistics/simultaneous.h"
 #include "summary/summary.h"
 
@@ -30,11 +30,6 @@ std::string format_signed(double value, int digits, bool has_zeros) {
     const std::string share = fmt::format("{:.{}f}", std::abs(value), digits);
     const bool drops_zero = !has_zeros && share[0] == '0';
     return fmt::format("{}{}", value < 0 ? '-' : '+', drops_zero ? share.substr(1) : share);
-}
-
-/// Both ends as two fields of a line, empty without an interval.
-std::string range_fields(const std::optional<statistics::Interval>& range) {
-    return range ? fmt::format("{},{}", range->low, range->high) : ",";
 }
 
 /// Whether an interval that ends near 0 still says, so rounded, on which side of 0 it lies.
@@ -120,8 +115,7 @@ PairedDifference turned_round(const PairedDifference& paired) {
 }
 
 /// Methods with a score, without baselines.
-std::vector<std::string> methods_best_first(const std::vector<harness::Row>& rows) {
-    std::vector<MethodSummary> summaries = summarise(rows);
+std::vector<std::string> methods_best_first(std::vector<MethodSummary> summaries) {
     std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
     std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
         return *a.f_2px > *b.f_2px;
@@ -130,6 +124,40 @@ std::vector<std::string> methods_best_first(const std::vector<harness::Row>& row
     for (const MethodSummary& summary : summaries)
         names.push_back(summary.method);
     return names;
+}
+
+const harness::TableOf<PairedDifference>& columns() {
+    static const auto kTable = [] {
+        using D = PairedDifference;
+        harness::TableOf<D> table(
+            "differences.csv",
+            "A line per ordered pair of methods with a view in common, the best method first: by "
+            "how much the pooled F of one exceeds that of the other.");
+        table.add({"method", "", "as in rows.csv"}, &D::a);
+        table.add({"other", "", "the method it is compared with"}, &D::b);
+        table.add({"difference", "-1..1", "F within 2 px of `method` less that of `other`"},
+                  &D::difference);
+        const auto range = table.part(&D::range);
+        range.add({"lo",
+                   "-1..1",
+                   "lower end of its 95 % interval, scenes resampled for both together; empty with "
+                   "fewer than six scenes"},
+                  &statistics::Interval::low);
+        range.add({"hi", "-1..1", "upper end"}, &statistics::Interval::high);
+        const auto range_of_all = table.part(&D::range_of_all);
+        range_of_all.add({"lo_of_all",
+                          "-1..1",
+                          "lower end of the interval that is to hold together with those of all "
+                          "other lines; above 0, `method` leads"},
+                         &statistics::Interval::low);
+        range_of_all.add({"hi_of_all", "-1..1", "upper end; below 0, `other` leads"},
+                         &statistics::Interval::high);
+        table.add({"scenes", "", "of which both have views"}, &D::scenes);
+        table.add({"better", "", "of these, on which F of `method` is higher"}, &D::better);
+        table.add({"worse", "", "and on which it is lower"}, &D::worse);
+        return table;
+    }();
+    return kTable;
 }
 
 }  // namespace
@@ -159,8 +187,9 @@ PairedScenes paired_scenes(std::span<const RowPair> pairs) {
     return scenes;
 }
 
-std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows) {
-    const std::vector<std::string> methods = methods_best_first(rows);
+std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows,
+                                                     const std::vector<MethodSummary>& summaries) {
+    const std::vector<std::string> methods = methods_best_first(summaries);
     std::vector<PairedDifference> once;
     std::vector<PairedScenes> scenes;
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -189,43 +218,15 @@ std::vector<PairedDifference> all_paired_differences(const std::vector<harness::
 }
 
 const harness::TableInfo& differences_table() {
-    static const harness::TableInfo kTable = {
-        "differences.csv",
-        "A line per ordered pair of methods with a view in common, the best method first: by how "
-        "much the pooled F of one exceeds that of the other.",
-        {{"method", "", "as in rows.csv"},
-         {"other", "", "the method it is compared with"},
-         {"difference", "-1..1", "F within 2 px of `method` less that of `other`"},
-         {"lo",
-          "-1..1",
-          "lower end of its 95 % interval, scenes resampled for both together; empty with fewer "
-          "than six scenes"},
-         {"hi", "-1..1", "upper end"},
-         {"lo_of_all",
-          "-1..1",
-          "lower end of the interval that is to hold together with those of all other lines; above "
-          "0, `method` leads"},
-         {"hi_of_all", "-1..1", "upper end; below 0, `other` leads"},
-         {"scenes", "", "of which both have views"},
-         {"better", "", "of these, on which F of `method` is higher"},
-         {"worse", "", "and on which it is lower"}}};
-    return kTable;
+    return columns().info();
 }
 
 std::string differences_csv(const std::vector<PairedDifference>& differences) {
-    std::string text = harness::heading(differences_table());
-    for (const PairedDifference& each : differences) {
-        text += fmt::format("{},{},{},{},{},{},{},{}\n",
-                            harness::csv_field(each.a),
-                            harness::csv_field(each.b),
-                            each.difference,
-                            range_fields(each.range),
-                            range_fields(each.range_of_all),
-                            each.scenes,
-                            each.better,
-                            each.worse);
-    }
-    return text;
+    return columns().file(differences);
+}
+
+std::vector<PairedDifference> read_differences(const harness::CsvTable& table) {
+    return columns().read(table);
 }
 
 std::string format_paired_difference(const PairedDifference& paired, bool has_zeros) {

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "harness/row.h"
+#include "harness/tables/csv_table.h"
 #include "harness/tables/table.h"
 #include "score/score.h"
 #include "statistics/spread.h"
 
 namespace ink::summary {
+
+struct MethodSummary;
 
 /// Two rows of one view: of two methods, or of two runs.
 struct RowPair {
@@ -61,11 +64,12 @@ struct PairedDifference {
 /// `range` holds by itself, and over many pairs some such leave out 0 by chance; `range_of_all` are
 /// the intervals that are to hold all together (statistics/simultaneous.h).
 [[nodiscard]] std::vector<PairedDifference> all_paired_differences(
-    const std::vector<harness::Row>& rows);
+    const std::vector<harness::Row>& rows, const std::vector<MethodSummary>& summaries);
 
 /// differences.csv: the same as a table of the run folder. No differences give the heading alone.
 [[nodiscard]] const harness::TableInfo& differences_table();
 [[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
+[[nodiscard]] std::vector<PairedDifference> read_differences(const harness::CsvTable& table);
 
 /// "+.012 [+.002, +.021]", the interval of the pair by itself; the difference alone
 /// where there is none. `has_zeros`: "+0.012 [+0.002, +0.021]".

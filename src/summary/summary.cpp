@@ -1,7 +1,6 @@
 #include "summary/summary.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "core/named.h"
@@ -66,22 +65,14 @@ std::optional<double> f_1px(const Rows& rows) {
     });
 }
 
-/// Recalls weighed by the truth pixels they are shares of. Counts of a class come back from its
-/// recall exactly: they are far below 2^53.
 std::map<std::string, double> pooled_recalls(const Rows& rows) {
-    std::map<std::string, std::pair<double, double>> found_of;
-    for (const harness::Row* row : rows) {
-        for (const auto& [name, recall] : row->recall_by_class) {
-            const auto truth_px = row->truth_px_by_class.find(name);
-            if (truth_px == row->truth_px_by_class.end() || truth_px->second == 0) continue;
-            const auto n = static_cast<double>(truth_px->second);
-            found_of[name].first += std::round(recall * n);
-            found_of[name].second += n;
-        }
-    }
+    std::map<std::string, Counts> sums;
+    for (const harness::Row* row : rows)
+        for (const auto& [name, counts] : class_counts(*row))
+            sums[name] += counts;
     std::map<std::string, double> recalls;
-    for (const auto& [name, found] : found_of)
-        recalls[name] = found.first / found.second;
+    for (const auto& [name, sum] : sums)
+        recalls[name] = *share(sum.k, sum.n_truth);
     return recalls;
 }
 
@@ -199,6 +190,16 @@ Rows good_rows(const std::vector<harness::Row>& rows, const std::string& method)
 
 Counts counts_2px(const harness::Row& row) {
     return {row.k_2px, row.n_pred, row.n_truth};
+}
+
+std::map<std::string, Counts> class_counts(const harness::Row& row) {
+    std::map<std::string, Counts> counts;
+    for (const auto& [name, k] : row.k_by_class) {
+        const auto n = row.truth_px_by_class.find(name);
+        if (n != row.truth_px_by_class.end() && n->second > 0)
+            counts[name] = {k, n->second, n->second};
+    }
+    return counts;
 }
 
 std::vector<Counts> counts_by_scene(const std::vector<const harness::Row*>& rows) {

@@ -75,6 +75,10 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 /// The counts at 2 px of a row.
 [[nodiscard]] score::CurveCount counts_2px(const harness::Row& row);
 
+/// What a row found of each class of line that its view has. As many count as drawn as are true, so
+/// that F of these counts, 2 k / (n + n), is the recall.
+[[nodiscard]] std::map<std::string, score::CurveCount> class_counts(const harness::Row& row);
+
 /// Counts at 2 px summed over the views of each scene, in order of first appearance.
 [[nodiscard]] std::vector<score::CurveCount> counts_by_scene(
     const std::vector<const harness::Row*>& rows);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -36,14 +36,8 @@ std::map<std::string, statistics::Interval> class_recall_intervals(
     std::map<std::string, SceneCounts> classes;
     for (const harness::Row* row : rows) {
         if (!row->is_ok()) continue;
-        for (const auto& [name, recall] : row->recall_by_class) {
-            const auto truth_px = row->truth_px_by_class.find(name);
-            if (truth_px == row->truth_px_by_class.end() || truth_px->second == 0) continue;
-            const std::int64_t n = truth_px->second;
-            // Found of n, with n "drawn": F of these counts, 2 k / (n + n), is the recall.
-            counts_of(classes[name], row->scene) +=
-                score::CurveCount{std::llround(recall * static_cast<double>(n)), n, n};
-        }
+        for (const auto& [name, found] : class_counts(*row))
+            counts_of(classes[name], row->scene) += found;
     }
     std::map<std::string, statistics::Interval> intervals;
     for (const auto& [name, scenes] : classes) {
@@ -248,16 +242,11 @@ const harness::TableInfo& summary_table() {
     return table().info();
 }
 
-std::string summary_csv(const std::vector<harness::Row>& rows,
-                        const std::vector<statistics::CellCurve>& curves,
-                        const AnswerRule& rule) {
-    std::vector<MethodSummary> summaries = summarise(rows);
-    add_curves(curves, summaries);
-    const Answer answer = find_answer(summaries, rule);
-    const std::vector<double> shares =
-        answer_shares(summaries, rule, rows.empty() ? 0 : rows.front().seed);
+std::string summary_csv(const std::vector<harness::Row>& rows, const Comparison& comparison) {
+    const Answer answer = comparison.answer();
+    const std::vector<double>& shares = comparison.shares;
     std::vector<Line> lines;
-    for (const MethodSummary& summary : summaries) {
+    for (const MethodSummary& summary : comparison.summaries) {
         Line& line =
             lines.emplace_back(Line{summary,
                                     class_recall_intervals(rows_of_method(rows, summary.method)),
@@ -271,9 +260,9 @@ const harness::TableInfo& kinds_table() {
     return kind_columns().info();
 }
 
-std::string kinds_csv(const std::vector<harness::Row>& rows) {
+std::string kinds_csv(const std::vector<MethodSummary>& summaries) {
     std::vector<KindLine> lines;
-    for (const MethodSummary& summary : summarise(rows)) {
+    for (const MethodSummary& summary : summaries) {
         for (const KindSummary& kind : summary.kinds)
             lines.push_back({summary.method, kind});
     }

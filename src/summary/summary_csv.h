@@ -5,8 +5,7 @@
 
 #include "harness/row.h"
 #include "harness/tables/table.h"
-#include "statistics/ods.h"
-#include "summary/answer.h"
+#include "summary/comparison.h"
 
 namespace ink::summary {
 
@@ -15,17 +14,15 @@ namespace ink::summary {
 [[nodiscard]] const harness::TableInfo& summary_table();
 
 /// A table (RFC 4180, "\n" line ends) with a line per method of `rows`, in order of first
-/// appearance, the baselines last; what there is none of is empty. `curves` give average precision;
-/// `rule` says which
-/// is the answer; no rows give the heading alone. Numbers are in the shortest form that reads back
-/// to the same value.
+/// appearance, the baselines last; what there is none of is empty. `comparison` is of these rows;
+/// no rows give the heading alone. Numbers are in the shortest form that reads back to the same
+/// value.
 [[nodiscard]] std::string summary_csv(const std::vector<harness::Row>& rows,
-                                      const std::vector<statistics::CellCurve>& curves,
-                                      const AnswerRule& rule = {});
+                                      const Comparison& comparison);
 
 /// kinds.csv: F of each method over scenes of each kind; "" where no row has a kind.
 [[nodiscard]] const harness::TableInfo& kinds_table();
-[[nodiscard]] std::string kinds_csv(const std::vector<harness::Row>& rows);
+[[nodiscard]] std::string kinds_csv(const std::vector<MethodSummary>& summaries);
 
 /// Cells without a score for one and the same reason, on one view.
 struct Unscored {

@@ -99,9 +99,10 @@ inline harness::Row made_up_row(const std::string& method, double f, double draw
     row.truth_px = 1000;
     row.ap = f * 0.95;
     row.mean_width_px = 1.7;
-    row.recall_by_class = {
-        {"contour", std::min(1.0, f * 1.05)}, {"crease", f * 0.9}, {"seam", f * 0.5}};
     row.truth_px_by_class = {{"contour", 600}, {"crease", 300}, {"seam", 100}};
+    row.k_by_class = {{"contour", std::llround(std::min(600.0, f * 630))},
+                      {"crease", std::llround(f * 270)},
+                      {"seam", std::llround(f * 50)}};
     row.params = "clip_bits=2;threshold=24";
     row.threshold = 24;
     if (draw_ms > 0) {

@@ -6,8 +6,6 @@
 #include <sstream>
 
 #include "core/text_table.h"
-#include "report/text/answer_text.h"
-#include "summary/paired_differences.h"
 #include "tests/report/made_up_rows.h"
 
 namespace ink::report {
@@ -17,6 +15,21 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
+
+/// What a run is asked, and how much of it is missing.
+struct Asked {
+    summary::AnswerRule rule = {};
+    Missing missing = {};
+};
+
+std::string verdict_table(const std::vector<harness::Row>& rows, const Asked& asked = {}) {
+    return report::verdict_table(rows, summary::compare_methods(rows, asked.rule), asked.missing);
+}
+
+std::string verdict_markdown(const std::vector<harness::Row>& rows, const Asked& asked = {}) {
+    return report::verdict_markdown(
+        rows, summary::compare_methods(rows, asked.rule), asked.missing);
+}
 
 /// Three views of two methods, with baselines: `rough` is cheap, `fine` is better on every view.
 std::vector<harness::Row> small_comparison() {
@@ -146,7 +159,7 @@ TEST(VerdictTable, NamesTheCheapestWithinTheMarginAndThenTheMostExact) {
 // At a margin that lies on the gap, drawings of scenes name now the one, now the other.
 TEST(VerdictTable, NamesBothWhereTheChoiceOfScenesDecides) {
     const auto rows = close_comparison(12);
-    const VerdictOptions on_the_gap = {.rule = {.f_margin = 0.0061}};
+    const Asked on_the_gap = {.rule = {.f_margin = 0.0061}};
     EXPECT_THAT(
         verdict_table(rows, on_the_gap),
         ContainsRegex("\nquick: F 0.953 in 1.60 ms, or exact: F 0.959 in 13.0 ms. [0-9]+ % of "
@@ -160,7 +173,7 @@ TEST(VerdictTable, NamesWhatTimesCannotTellApart) {
     std::vector<harness::Row> rows = small_comparison();
     for (harness::Row& row : rows)
         if (row.method == "rough") row.draw_ns = 7'900'000;
-    const VerdictOptions options = {.rule = {.f_margin = 0.5}};
+    const Asked options = {.rule = {.f_margin = 0.5}};
     EXPECT_THAT(verdict_table(rows, options),
                 HasSubstr("\nfine: F 0.900 in 8.00 ms, the most exact. Times cannot tell it from "
                           "rough. rough has 0.600"));
@@ -177,7 +190,7 @@ TEST(VerdictTable, OfFewScenesHasNoInterval) {
 }
 
 TEST(VerdictTable, OfARunThatIsNotFinishedSaysSoFirst) {
-    const VerdictOptions cut_off{.missing_parts = 3, .parts = 12};
+    const Asked cut_off{.missing = {3, 12}};
     const char* first =
         "This run is not finished: 3 of 12 parts are missing, and every number is of "
         "the rest.\n\n";

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "summary/comparison.h"
+
 namespace ink::summary {
 namespace {
 
@@ -23,7 +25,7 @@ harness::Row row_of(const std::string& method, const std::string& scene, std::in
 std::optional<PairedDifference> paired_difference_of(const std::vector<harness::Row>& rows,
                                                      const std::string& a,
                                                      const std::string& b) {
-    for (const PairedDifference& paired : all_paired_differences(rows)) {
+    for (const PairedDifference& paired : compare_methods(rows).differences) {
         if (paired.a == a && paired.b == b) return paired;
     }
     return std::nullopt;
@@ -82,7 +84,7 @@ TEST(PairedDifferenceOf, ComparesOnlyViewsThatBothHave) {
 
 TEST(AllPairedDifferences, AreEveryOrderedPairOfMethodsBestFirst) {
     std::vector<std::string> pairs;
-    for (const PairedDifference& paired : all_paired_differences(twelve_scenes()))
+    for (const PairedDifference& paired : compare_methods(twelve_scenes()).differences)
         pairs.push_back(paired.a + ">" + paired.b);
     EXPECT_THAT(pairs,
                 testing::ElementsAre("better>moody",
@@ -91,11 +93,11 @@ TEST(AllPairedDifferences, AreEveryOrderedPairOfMethodsBestFirst) {
                                      "moody>even",
                                      "even>better",
                                      "even>moody"));
-    EXPECT_TRUE(all_paired_differences({}).empty());
+    EXPECT_TRUE(compare_methods({}).differences.empty());
 }
 
 TEST(AllPairedDifferences, OfAPairTurnedRoundIsTheOpposite) {
-    const auto differences = all_paired_differences(twelve_scenes());
+    const auto differences = compare_methods(twelve_scenes()).differences;
     EXPECT_NEAR(differences[0].difference, -differences[2].difference, 1e-12);
     EXPECT_NEAR(differences[0].range->low, -differences[2].range->high, 1e-12);
 }
@@ -120,7 +122,7 @@ TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
     int led_alone = 0, led_together = 0;  // experiments in which a lead is seen where there is none
     for (unsigned seed = 1; seed <= kExperiments; ++seed) {
         bool is_led_alone = false, is_led_together = false;
-        for (const PairedDifference& paired : all_paired_differences(rows_of_chance(seed))) {
+        for (const PairedDifference& paired : compare_methods(rows_of_chance(seed)).differences) {
             ASSERT_TRUE(paired.range && paired.range_of_all);
             EXPECT_TRUE(paired.a != "good" || paired.is_significant());
             if (paired.a == "good" || paired.b == "good") continue;

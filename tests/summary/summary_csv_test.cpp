@@ -45,15 +45,22 @@ harness::Row scored_row(const std::string& method, const std::string& scene, std
     row.k_2px = k;
     row.n_pred = row.n_truth = 100;
     row.f_2px = static_cast<double>(k) / 100;
-    row.recall_by_class = {{"crease", static_cast<double>(k) / 100}};
+    row.k_by_class = {{"crease", k}};
     row.truth_px_by_class = {{"crease", 100}};
     row.draw_ns = 2'000'000;
     row.bytes_per_px = 5;
     return row;
 }
 
+std::string csv_of(const std::vector<harness::Row>& rows,
+                   const std::vector<statistics::CellCurve>& curves = {}) {
+    Comparison comparison = compare_methods(rows);
+    add_curves(curves, comparison.summaries);
+    return summary_csv(rows, comparison);
+}
+
 TEST(SummaryCsv, WithoutRowsIsTheHeading) {
-    EXPECT_EQ(summary_csv({}, {}),
+    EXPECT_EQ(csv_of({}),
               "method,kind,answer,answer_share,views,scenes,failed,f_2px,f_lo,f_hi,error_scene,"
               "error_scene_share,"
               "f_train,f_heldout,f_real,f_macro,f_kinds,f_1px,precision,"
@@ -73,20 +80,20 @@ TEST(KindsCsv, HasALinePerMethodAndKindAndIsEmptyWithoutKinds) {
     harness::Row car = scored_row("a", "car", 80);
     harness::Row van = scored_row("a", "van", 60);
     harness::Row oak = scored_row("a", "oak", 50);
-    EXPECT_EQ(kinds_csv({car, van, oak}), "");
+    EXPECT_EQ(kinds_csv(summarise({car, van, oak})), "");
     car.scene_kind = van.scene_kind = "vehicle";
     oak.scene_kind = "foliage";
-    EXPECT_EQ(kinds_csv({car, van, oak}),
+    EXPECT_EQ(kinds_csv(summarise({car, van, oak})),
               "method,scene_kind,scenes,f_2px,least_scene,f_least\n"
               "a,vehicle,2,0.7,van,0.6\n"
               "a,foliage,1,0.5,oak,0.5\n");
-    EXPECT_EQ(line_of(summary_csv({car, van, oak}, {}), 1).at("f_kinds"), "0.6");
+    EXPECT_EQ(line_of(csv_of({car, van, oak}), 1).at("f_kinds"), "0.6");
 }
 
 TEST(SummaryCsv, PoolsTheRowsOfAMethod) {
     harness::Row slow = scored_row("a", "torus", 75);
     slow.draw_ns = 4'000'000;
-    const auto line = line_of(summary_csv({scored_row("a", "cube", 25), slow}, {}), 1);
+    const auto line = line_of(csv_of({scored_row("a", "cube", 25), slow}), 1);
     EXPECT_EQ(line.at("method"), "a");
     EXPECT_EQ(line.at("kind"), "method");
     EXPECT_EQ(line.at("views"), "2");
@@ -112,7 +119,7 @@ TEST(SummaryCsv, IsEmptyWhereThereIsNothing) {
     harness::Row failed = scored_row("a", "cube", 1);
     failed.status = "failed: no ink";
     failed.f_2px.reset();
-    const auto line = line_of(summary_csv({failed}, {}), 1);
+    const auto line = line_of(csv_of({failed}), 1);
     EXPECT_EQ(line.at("failed"), "1");
     EXPECT_EQ(line.at("views"), "0");
     for (const auto& [column, field] : line) {
@@ -126,10 +133,10 @@ TEST(SummaryCsv, AClassOfFewScenesHasNoInterval) {
     std::vector<harness::Row> rows;
     for (int i = 0; i < 6; ++i)
         rows.push_back(scored_row("a", std::to_string(i), 20 + 10 * i));
-    EXPECT_NE(line_of(summary_csv(rows, {}), 1).at("recall_crease_lo"), "");
-    rows.back().recall_by_class.clear();
+    EXPECT_NE(line_of(csv_of(rows), 1).at("recall_crease_lo"), "");
+    rows.back().k_by_class.clear();
     rows.back().truth_px_by_class.clear();
-    const auto line = line_of(summary_csv(rows, {}), 1);
+    const auto line = line_of(csv_of(rows), 1);
     EXPECT_EQ(line.at("recall_crease"), "0.4");
     EXPECT_EQ(line.at("recall_crease_lo"), "");
     EXPECT_NE(line.at("f_lo"), "");
@@ -139,7 +146,7 @@ TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
     statistics::CellCurve curve{.method = "a", .is_training = true};
     curve.counts.fill({50, 50, 100});  // precision 1 up to recall 0.5, nothing beyond
     const std::string csv =
-        summary_csv({scored_row("oracle", "cube", 100), scored_row("a", "cube", 50)}, {curve});
+        csv_of({scored_row("oracle", "cube", 100), scored_row("a", "cube", 50)}, {curve});
     EXPECT_EQ(line_of(csv, 1).at("method"), "a");
     EXPECT_EQ(line_of(csv, 1).at("ap"), "0.5");
     EXPECT_EQ(line_of(csv, 2).at("method"), "oracle");
@@ -147,8 +154,27 @@ TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
     EXPECT_EQ(line_of(csv, 2).at("ap"), "");
 }
 
+TEST(Comparison, IsReadBackFromItsTablesToTheLastDigit) {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < 7; ++i) {
+        for (const char* method : {"a", "b", "sampled"})
+            rows.push_back(scored_row(method, std::to_string(i), 20 + 7 * i + method[0] % 5 * i));
+    }
+    const Comparison made = compare_methods(rows, {.f_margin = 0.02});
+    const auto table = [](const std::string& text) { return harness::split_csv(text, "a table"); };
+    const auto summary = table(summary_csv(rows, made));
+    const auto read =
+        read_comparison(rows, made.rule, summary, table(differences_csv(made.differences)));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->shares, made.shares);
+    EXPECT_EQ(differences_csv(read->differences), differences_csv(made.differences));
+    EXPECT_EQ(read->differences.front().range_of_all->low,
+              made.differences.front().range_of_all->low);
+    EXPECT_FALSE(read_comparison(rows, made.rule, summary, table("method,other\n")));
+}
+
 TEST(SummaryCsv, AMethodsNameIsQuotedWhereItMustBe) {
-    const std::string csv = summary_csv({scored_row("a,\"b\"", "cube", 50)}, {});
+    const std::string csv = csv_of({scored_row("a,\"b\"", "cube", 50)});
     EXPECT_NE(csv.find("\n\"a,\"\"b\"\"\",method,both,,1,"), std::string::npos) << csv;
 }
 

@@ -32,7 +32,7 @@ std::vector<harness::Row> two_views() {
     harness::Row small = counted_row("a", "front", 50, 100);
     small.k_1px = 40;
     small.n_pred_1px = 100;
-    small.recall_by_class = {{"crease", 0.5}};
+    small.k_by_class = {{"crease", 50}};
     small.truth_px_by_class = {{"crease", 100}};
     small.draw_ns = 2'000'000;
     small.bytes_per_px = 5;
@@ -40,7 +40,7 @@ std::vector<harness::Row> two_views() {
     large.split = "heldout";
     large.k_1px = 200;
     large.n_pred_1px = 300;
-    large.recall_by_class = {{"crease", 1.0}, {"seam", 0.25}};
+    large.k_by_class = {{"crease", 300}, {"seam", 1}};
     large.truth_px_by_class = {{"crease", 300}, {"seam", 4}};
     large.draw_ns = 4'000'000;
     large.bytes_per_px = 5;

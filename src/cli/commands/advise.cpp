@@ -84,7 +84,7 @@ struct Advice {
     experiment::Experiment asked;
     std::vector<harness::Row> rows;
     bool is_crowded = false;  ///< every view is: crowded pixels count
-    std::vector<MethodSummary> summaries = {};
+    summary::Comparison comparison = {};
     summary::Answer answer = {};  ///< of these
     std::string picture = {};
     std::string next = {};
@@ -234,15 +234,14 @@ void run_advise(AdviseArgs& args, const CLI::App& command) {
     advice.is_crowded = summary::is_all_unscored(advice.rows) &&
                         std::ranges::none_of(unscored, summary::is_failure);
     if (advice.is_crowded) count_crowded(advice.rows);
-    advice.summaries = summary::summarise(advice.rows);
-    advice.answer = find_answer(advice.summaries, advice.asked.answer);
+    advice.comparison = {advice.asked.answer, summary::summarise(advice.rows)};
+    advice.answer = advice.comparison.answer();
     if (advice.answer.method == nullptr) {
         fmt::print(
             stderr,
             "{}inkbench: {}\n",
             summary::unscored_text(unscored),
-            report::answer_sentences(
-                advice.rows, advice.summaries, {}, advice.asked.answer, report::Markup::none));
+            report::answer_text(advice.rows, advice.comparison, report::Markup::none).whole());
         throw CLI::RuntimeError(1);
     }
     const std::string own = kFolder + ("/" + harness::file_name(advice.rows[0].scene));

@@ -197,10 +197,10 @@ bool wrote_tables_of_scenes(const FiguresArgs& args, const std::vector<std::stri
         });
         const fs::path out = args.folder.out;
         fs::create_directories(out);
-        core::write_whole_file(out / "summary.csv",
-                               summary::summary_csv(rows, {}, run.record.answer));
+        const auto comparison = summary::compare_methods(rows, run.record.answer);
+        core::write_whole_file(out / "summary.csv", summary::summary_csv(rows, comparison));
         core::write_whole_file(out / "differences.csv",
-                               summary::differences_csv(summary::all_paired_differences(rows)));
+                               summary::differences_csv(comparison.differences));
         return true;
     }
     return false;

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "statistics/bootstrap.h"
-#include "summary/paired_differences.h"
 
 namespace ink::report {
 namespace {
@@ -54,12 +52,8 @@ struct Rival {
     double share = 0;
 };
 
-Rival rival_of(const std::vector<harness::Row>& rows,
-               const std::vector<MethodSummary>& summaries,
-               const Answer& answer,
-               const summary::AnswerRule& rule) {
-    const std::uint64_t seed = rows.empty() ? 0 : rows.front().seed;
-    const std::vector<double> shares = summary::answer_shares(summaries, rule, seed);
+Rival rival_of(const summary::Comparison& comparison, const Answer& answer) {
+    const auto& [rule, summaries, differences, shares] = comparison;
     const MethodSummary* rival = summary::rival_of(answer, summaries, shares);
     return rival == nullptr
                ? Rival{}
@@ -171,51 +165,50 @@ std::string format_ms(const std::optional<double>& ms) {
     return fmt::format("{:.{}f}", *ms, decimals);
 }
 
-std::string answer_sentences(const std::vector<harness::Row>& rows,
-                             const std::vector<MethodSummary>& summaries,
-                             const std::vector<PairedDifference>& differences,
-                             const summary::AnswerRule& rule,
-                             Markup markup) {
-    const Answer answer = summary::find_answer(summaries, rule);
+AnswerText answer_text(const std::vector<harness::Row>& rows,
+                       const summary::Comparison& comparison,
+                       Markup markup) {
+    const Answer answer = comparison.answer();
+    const summary::AnswerRule& rule = comparison.rule;
     const std::string budget =
         rule.budget_ms > 0 ? fmt::format("Within {} ms, ", format_ms(rule.budget_ms)) : "";
     if (answer.method == nullptr && answer.fastest != nullptr) {
-        return fmt::format("{}none has a score: none is faster than {} ms ({}).",
-                           budget,
-                           format_ms(answer.fastest->draw_ms),
-                           code(answer.fastest->method, markup));
+        return {fmt::format("{}none has a score: none is faster than {} ms ({})",
+                            budget,
+                            format_ms(answer.fastest->draw_ms),
+                            code(answer.fastest->method, markup)),
+                ""};
     }
     if (answer.method == nullptr)
-        return "No method was scored on any view, so there is no verdict.";
+        return {"No method was scored on any view, so there is no verdict", ""};
     const MethodSummary& method = *answer.method;
-    const Rival rival = rival_of(rows, summaries, answer, rule);
-    std::string text = fmt::format("{}{}: F {}{}",
-                                   budget,
-                                   strong(method.method, markup),
-                                   f_text(method),
-                                   time_text("in", method));
+    const Rival rival = rival_of(comparison, answer);
+    std::string first = fmt::format("{}{}: F {}{}",
+                                    budget,
+                                    strong(method.method, markup),
+                                    f_text(method),
+                                    time_text("in", method));
     if (rival.method != nullptr) {
-        text += fmt::format(", or {}: F {}{}",
-                            strong(rival.method->method, markup),
-                            f_text(*rival.method),
-                            time_text("in", *rival.method));
+        first += fmt::format(", or {}: F {}{}",
+                             strong(rival.method->method, markup),
+                             f_text(*rival.method),
+                             time_text("in", *rival.method));
     }
     const bool is_alone = answer.other() == nullptr;
-    if (is_alone) text += ", the only method";
+    if (is_alone) first += ", the only method";
     if (!is_alone && &method == answer.most_exact)
-        text += rival.method == nullptr ? ", the most exact" : "; the first is the most exact";
-    text += method.draw_ms || is_alone ? "." : "; no time was taken.";
-    text += rival_sentence(answer, rival, rule, markup) + times_sentence(answer, markup);
+        first += rival.method == nullptr ? ", the most exact" : "; the first is the most exact";
+    if (!method.draw_ms && !is_alone) first += "; no time was taken";
+    std::string rest = rival_sentence(answer, rival, rule, markup) + times_sentence(answer, markup);
     const std::string scene = error_scene_text(method);
-    if (!scene.empty()) text += fmt::format(" It has {}.", scene);
-    return is_alone ? text : text + other_sentences(rows, differences, answer, markup);
+    if (!scene.empty()) rest += fmt::format(" It has {}.", scene);
+    if (!is_alone) rest += other_sentences(rows, comparison.differences, answer, markup);
+    return {first, rest.empty() ? "" : rest.substr(1)};
 }
 
 std::string paper_sentence(const std::vector<harness::Row>& rows,
-                           const std::vector<MethodSummary>& summaries,
-                           const std::vector<PairedDifference>& differences,
-                           const summary::AnswerRule& rule) {
-    const Answer answer = summary::find_answer(summaries, rule);
+                           const summary::Comparison& comparison) {
+    const Answer answer = comparison.answer();
     if (answer.method == nullptr) return "";
     const MethodSummary& method = *answer.method;
     std::string text = fmt::format("Over {}, {} has F = {:.3f} at 2 px{}",
@@ -231,7 +224,7 @@ std::string paper_sentence(const std::vector<harness::Row>& rows,
                         *other->f_2px,
                         time_text("in", *other));
     text += times_text(method, *other);
-    const auto paired = difference_of(differences, answer);
+    const auto paired = difference_of(comparison.differences, answer);
     if (!paired) return text + ".";
     const std::string difference = format_paired_difference(*paired, true);
     return text + fmt::format(" (difference {}{}).",

@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "harness/row.h"
-#include "summary/answer.h"
-#include "summary/paired_differences.h"
-#include "summary/summary.h"
+#include "summary/comparison.h"
 
 namespace ink::report {
 
@@ -17,21 +15,23 @@ enum class Markup { none, markdown };
 /// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
 [[nodiscard]] std::string format_ms(const std::optional<double>& ms);
 
-/// The answer in sentences: the method and what it takes; the most exact (or the next) with what it
-/// takes more and the paired difference; what its interval is worth, or that there are too few
-/// scenes for one. `answer.js` says the same of what a page's filters leave. `differences` are of
-/// all pairs.
-[[nodiscard]] std::string answer_sentences(
-    const std::vector<harness::Row>& rows,
-    const std::vector<summary::MethodSummary>& summaries,
-    const std::vector<summary::PairedDifference>& differences,
-    const summary::AnswerRule& rule,
-    Markup markup);
+/// The answer in sentences.
+struct AnswerText {
+    std::string first;  ///< the method and what it takes; without its full stop, as a heading
+    /// The most exact (or the next) with what it takes more and the paired difference; what its
+    /// interval is worth, or that there are too few scenes for one. "" if there is none.
+    std::string rest;
+
+    [[nodiscard]] std::string whole() const {
+        return first + "." + (rest.empty() ? "" : " ") + rest;
+    }
+};
+[[nodiscard]] AnswerText answer_text(const std::vector<harness::Row>& rows,
+                                     const summary::Comparison& comparison,
+                                     Markup markup);
 
 /// The answer as a sentence for a paper; "" without one.
 [[nodiscard]] std::string paper_sentence(const std::vector<harness::Row>& rows,
-                                         const std::vector<summary::MethodSummary>& summaries,
-                                         const std::vector<summary::PairedDifference>& differences,
-                                         const summary::AnswerRule& rule);
+                                         const summary::Comparison& comparison);
 
 }  // namespace ink::report

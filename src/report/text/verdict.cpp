@@ -10,9 +10,6 @@
 #include "core/text_table.h"
 #include "draw/crosscheck_report.h"
 #include "harness/timing.h"
-#include "report/text/answer_text.h"
-#include "summary/paired_differences.h"
-#include "summary/summary.h"
 
 namespace ink::report {
 namespace {
@@ -202,41 +199,38 @@ std::string scored_text(const std::vector<harness::Row>& rows, const summary::Me
            of_all(most.scenes, scenes.size(), "scene");
 }
 
-/// The answer, over what it is, on which parts it holds, how many cells failed.
-std::string sentence_of(const std::vector<harness::Row>& rows,
-                        const std::vector<summary::MethodSummary>& summaries,
-                        const std::vector<summary::PairedDifference>& differences,
-                        const VerdictOptions& options,
-                        Markup markup) {
-    const std::string answer = answer_sentences(rows, summaries, differences, options.rule, markup);
+/// Over what the answer is, on which parts it holds, how many cells failed.
+std::string extent_sentences(const std::vector<harness::Row>& rows,
+                             const std::vector<summary::MethodSummary>& summaries) {
     const summary::MethodSummary* most = summary::find_answer(summaries, {}).most_exact;
-    if (most == nullptr) return answer + failures(summaries);
-    return fmt::format("{} F is at 2 px, over {} pooled.{}{}",
-                       answer,
+    if (most == nullptr) return failures(summaries);
+    return fmt::format(" F is at 2 px, over {} pooled.{}{}",
                        scored_text(rows, *most),
                        by_part(summaries),
                        failures(summaries));
 }
 
 /// What must be known before any number is read; "" of a finished run.
-std::string unfinished_line(const VerdictOptions& options) {
-    if (options.missing_parts == 0) return "";
+std::string unfinished_line(const Missing& missing) {
+    if (missing.missing_parts == 0) return "";
     return fmt::format(
         "This run is not finished: {} of {} parts are missing, and every number is of the "
         "rest.\n\n",
-        options.missing_parts,
-        options.parts);
+        missing.missing_parts,
+        missing.parts);
 }
 
 }  // namespace
 
-std::string verdict_table(const std::vector<harness::Row>& rows, const VerdictOptions& options) {
-    const std::vector<summary::MethodSummary> summaries = summary::summarise(rows);
+std::string verdict_table(const std::vector<harness::Row>& rows,
+                          const summary::Comparison& comparison,
+                          const Missing& missing) {
+    const std::vector<summary::MethodSummary>& summaries = comparison.summaries;
     const std::string sentence =
-        sentence_of(rows, summaries, summary::all_paired_differences(rows), options, Markup::none);
+        answer_text(rows, comparison, Markup::none).whole() + extent_sentences(rows, summaries);
     if (summaries.empty()) return sentence;
     std::string text = fmt::format("{}{}{}\n\n{}",
-                                   unfinished_line(options),
+                                   unfinished_line(missing),
                                    core::aligned(cells_of(summaries)),
                                    marks(summaries),
                                    sentence);
@@ -245,18 +239,19 @@ std::string verdict_table(const std::vector<harness::Row>& rows, const VerdictOp
     return text;
 }
 
-std::string verdict_markdown(const std::vector<harness::Row>& rows, const VerdictOptions& options) {
-    const std::vector<summary::MethodSummary> summaries = summary::summarise(rows);
-    const auto differences = summary::all_paired_differences(rows);
+std::string verdict_markdown(const std::vector<harness::Row>& rows,
+                             const summary::Comparison& comparison,
+                             const Missing& missing) {
+    const std::vector<summary::MethodSummary>& summaries = comparison.summaries;
     const std::string sentence =
-        sentence_of(rows, summaries, differences, options, Markup::markdown);
+        answer_text(rows, comparison, Markup::markdown).whole() + extent_sentences(rows, summaries);
     if (summaries.empty()) return sentence + "\n";
     std::string text = fmt::format("{}{}\n{}\n\n{}\n",
-                                   unfinished_line(options),
+                                   unfinished_line(missing),
                                    core::markdown(cells_of(summaries)),
                                    marks(summaries),
                                    sentence);
-    const std::string paper = paper_sentence(rows, summaries, differences, options.rule);
+    const std::string paper = paper_sentence(rows, comparison);
     if (!paper.empty()) text += "\nFor a paper: " + paper + "\n";
     for (const std::string& line : warnings(rows, summaries))
         text += "\n" + line + "\n";
@@ -264,6 +259,15 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows, const Verdic
     const std::string busy = harness::uncertain_times(rows);
     if (!busy.empty()) text += "\n" + busy + ".\n";
     return text;
+}
+
+VerdictWords verdict_words(const std::vector<harness::Row>& rows,
+                           const summary::Comparison& comparison) {
+    const std::string extent = extent_sentences(rows, comparison.summaries);
+    return {answer_text(rows, comparison, Markup::none),
+            extent.empty() ? "" : extent.substr(1),
+            paper_sentence(rows, comparison),
+            warnings(rows, comparison.summaries)};
 }
 
 }  // namespace ink::report
