@@ -11,10 +11,13 @@
 #include "core/vocabulary.h"
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"
+#include "experiment/diff/run_diff.h"
 #include "report/live_page.h"
 #include "report/packed_run.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
+#include "report/text/verdict.h"
+#include "summary/summary_csv.h"
 
 namespace ink::report {
 namespace {
@@ -29,6 +32,63 @@ std::string json_texts(const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
         quoted.push_back(json_text(text));
     return fmt::format("[{}]", fmt::join(quoted, ","));
+}
+
+/// Of the first size and number of threads.
+std::vector<harness::Row> rows_shown(const experiment::RunData& run) {
+    experiment::RunTables kept;
+    kept.rows = run.tables.rows;
+    experiment::keep_one_place(kept);
+    return kept.rows;
+}
+
+/// What the page says of a comparison, word for word as verdict.md; null of another run.
+std::string words_json(const experiment::RunData& run) {
+    if (run.comparison.summaries.empty()) return "null";
+    const VerdictWords words = verdict_words(rows_shown(run), run.comparison);
+    return fmt::format(R"({{"first":{},"rest":{},"extent":{},"paper":{},"warnings":{}}})",
+                       json_text(words.answer.first),
+                       json_text(words.answer.rest),
+                       json_text(words.extent),
+                       json_text(words.paper),
+                       json_texts(words.warnings));
+}
+
+/// How run `b` differs from run `a`, by method.
+std::string diff_json(const experiment::RunData& a, const experiment::RunData& b) {
+    std::vector<std::string> methods;
+    const experiment::RunDiff diff =
+        experiment::diff_runs(a, b, a.tables.rows.empty() ? 0 : a.tables.rows.front().seed);
+    const auto number = [](const std::optional<double>& value) {
+        return value ? fmt::format("{}", *value) : "null";
+    };
+    for (const experiment::MethodDiff& method : diff.methods) {
+        const auto& range = method.range;
+        methods.push_back(fmt::format(R"({}:{{"low":{},"high":{},"time_ratio":{}}})",
+                                      json_text(method.method),
+                                      range ? number(range->low) : "null",
+                                      range ? number(range->high) : "null",
+                                      number(method.time_ratio)));
+    }
+    return fmt::format("{{{}}}", fmt::join(methods, ","));
+}
+
+/// What each run differs from each other one by: diffs[first][second].
+std::string diffs_json(const std::vector<experiment::RunData>& runs) {
+    if (runs.size() < 2) return "[]";
+    std::vector<experiment::RunData> kept(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        kept[i].record = runs[i].record;
+        kept[i].tables.rows = rows_shown(runs[i]);
+    }
+    std::vector<std::string> lines;
+    for (const experiment::RunData& a : kept) {
+        std::vector<std::string> diffs;
+        for (const experiment::RunData& b : kept)
+            diffs.push_back(&a == &b ? "{}" : diff_json(a, b));
+        lines.push_back(fmt::format("[{}]", fmt::join(diffs, ",")));
+    }
+    return fmt::format("[{}]", fmt::join(lines, ","));
 }
 
 std::string record_json(const experiment::RunRecord& record) {
@@ -70,20 +130,33 @@ std::string live_json(const experiment::RunData& run, const fs::path& page_folde
     return fmt::format("{{{}}}", fmt::join(entries, ","));
 }
 
+/// summary.csv and differences.csv of a run of several sizes or numbers of threads, which has none:
+/// those of the first.
+std::map<std::string, std::string> missing_summaries(const experiment::RunData& run) {
+    if (run.comparison.summaries.empty() || run.texts.contains("summary.csv")) return {};
+    return {{"summary.csv", summary::summary_csv(rows_shown(run), run.comparison)},
+            {"differences.csv", summary::differences_csv(run.comparison.differences)}};
+}
+
 std::string run_json(const experiment::RunData& run,
                      const std::string& label,
                      const fs::path& page_folder) {
-    std::vector<std::string> names;
+    std::vector<std::pair<std::string, const std::string*>> texts;
     for (const auto& [name, text] : run.texts)
-        names.push_back(name);
-    std::vector<std::string> tables(names.size());
+        texts.emplace_back(name, &text);
+    const std::map<std::string, std::string> summed = missing_summaries(run);
+    for (const auto& [name, text] : summed)
+        texts.emplace_back(name, &text);
+    std::vector<std::string> tables(texts.size());
     core::parallel_for(tables.size(), core::hardware_threads(), [&](std::size_t i) {
-        const std::string where = (run.folder / names[i]).string();
-        tables[i] = json_text(names[i]) + ":" + packed_table(run.texts.at(names[i]), where);
+        const auto& [name, text] = texts[i];
+        const std::string where = (run.folder / name).string();
+        tables[i] = json_text(name) + ":" + packed_table(*text, where);
     });
-    return fmt::format(R"({{"label":{},"record":{},"live":{},"tables":{{{}}}}})",
+    return fmt::format(R"({{"label":{},"record":{},"words":{},"live":{},"tables":{{{}}}}})",
                        json_text(label),
                        record_json(run.record),
+                       words_json(run),
                        live_json(run, page_folder),
                        fmt::join(tables, ","));
 }
@@ -148,18 +221,20 @@ std::string run_page(const std::vector<experiment::RunData>& runs, fs::path page
     std::vector<std::string> packed;
     for (std::size_t i = 0; i < runs.size(); ++i)
         packed.push_back(run_json(runs[i], labels[i], page_folder));
-    return filled(page_files().index,
-                  {{"title", core::escape(title_of(labels))},
-                   {"style", std::string(page_files().style)},
-                   {"d3", std::string(page_files().d3)},
-                   {"scripts", std::string(page_files().scripts)},
-                   {"data",
-                    fmt::format(R"({{"version":{},"vocabulary":{},"columns":{},"runs":[{}]}})",
-                                json_text(core::provenance().version),
-                                core::vocabulary().json,
-                                column_docs(runs),
-                                fmt::join(packed, ","))},
-                   {"images", packed_images(runs, kImageBudget_bytes)}});
+    return filled(
+        page_files().index,
+        {{"title", core::escape(title_of(labels))},
+         {"style", std::string(page_files().style)},
+         {"d3", std::string(page_files().d3)},
+         {"scripts", std::string(page_files().scripts)},
+         {"data",
+          fmt::format(R"({{"version":{},"vocabulary":{},"columns":{},"diffs":{},"runs":[{}]}})",
+                      json_text(core::provenance().version),
+                      core::vocabulary().json,
+                      column_docs(runs),
+                      diffs_json(runs),
+                      fmt::join(packed, ","))},
+         {"images", packed_images(runs, kImageBudget_bytes)}});
 }
 
 void write_run_page(const std::vector<experiment::RunData>& runs, const fs::path& file) {

@@ -46,7 +46,7 @@ struct PairedIntervals {
 /// measured one.
 ///
 /// One entry per pair; `cluster_count` is of all clusters. The same seed gives the same intervals
-/// everywhere, on the page of a run too (intervals.js).
+/// everywhere.
 ///
 /// Source: Efron and Tibshirani, An Introduction to the Bootstrap, 1993, section 12.5; Westfall and
 /// Young, Resampling-Based Multiple Testing, 1993, section 2.5; Romano and Wolf, "Exact and

@@ -5,8 +5,20 @@ import json
 import shutil
 import sys
 import unittest
+from random import Random
 
 from browser import BrowserTest, Keys, Select, inkbench, webdriver
+
+
+def median(values):
+    """As the page and the program have it; None without values."""
+    ordered = sorted(values)
+    if not ordered:
+        return None
+    place = 0.5 * (len(ordered) - 1)
+    low = int(place)
+    high = min(low + 1, len(ordered) - 1)
+    return ordered[low] + (place - low) * (ordered[high] - ordered[low])
 
 
 class PageTest(BrowserTest):
@@ -40,51 +52,97 @@ class PageTest(BrowserTest):
             self.assertNotIn(nonsense, words)
         self.assertGreater(len(self.script("return sections.filter(s => !s.node.hidden)")), 8)
 
-    # Every scene and every method, but chosen: what is shown is resampled, not read from tables.
-    CHOSEN = "#scenes=cube,torus,tiles,blocks,hills,gear,staircase&methods=mote4,ids,edge_hash,surface8"
-
     def tables(self, name):
         with open(self.folder / "seven" / name, newline="") as file:
             return list(csv.DictReader(file))
 
-    def test_intervals_are_those_of_the_tables_to_the_last_digit(self):
+    INTERVALS = """
+        const view = currentView();
+        return Object.fromEntries(view.summaries.map(s => [s.method,
+            ['f_2px', ...RECALL_GROUPS].map(name => rangeOf(view.run, s, name, view.hasAllScenes))]));"""
+
+    def test_intervals_are_those_of_the_tables_and_none_under_a_filter_of_scenes(self):
         page = self.folder / "seven" / "report.html"
-        for address, is_filtered in (("", False), (self.CHOSEN, True)):
-            self.open(page, address)
-            self.assertEqual(self.script("return isFiltered()"), is_filtered)
-            self.assertEqual(self.script("return drawingsMade.size > 0"), is_filtered)
-            groups = self.script("return RECALL_GROUPS")
-            for line in self.tables("summary.csv"):
+        self.open(page)
+        shown = self.script(self.INTERVALS)
+        keys = ["f"] + [f"recall_{name}" for name in self.script("return RECALL_GROUPS")]
+        ends_of = lambda line, *ends: [float(line[end]) if line[end] else None for end in ends]
+        for line in self.tables("summary.csv"):
+            for key, interval in zip(keys, shown[line["method"]]):
+                with self.subTest(method=line["method"], key=key):
+                    ends = [interval["low"], interval["high"]] if interval else [None, None]
+                    self.assertEqual(ends, ends_of(line, f"{key}_lo", f"{key}_hi"))
+        for line in self.tables("differences.csv"):
+            with self.subTest(pair=(line["method"], line["other"])):
                 shown = self.script(
-                    "const view = currentView(); const s = view.summaries.find(s => s.method === arguments[0]);"
-                    "return [s.range, ...arguments[1].map(name => rangeOf(view.run, s, name, view.hasAllScenes))]",
-                    line["method"], groups)
-                for key, interval in zip(["f"] + [f"recall_{name}" for name in groups], shown):
-                    with self.subTest(method=line["method"], key=key, filtered=is_filtered):
-                        ends = [interval["low"], interval["high"]] if interval else [None, None]
-                        self.assertEqual(ends, [float(v) if v else None for v in (line[f"{key}_lo"], line[f"{key}_hi"])])
-            for line in self.tables("differences.csv"):
-                with self.subTest(pair=(line["method"], line["other"]), filtered=is_filtered):
-                    shown = self.script(
-                        "const d = currentView().differenceOf(...arguments); return [d.value, d.range.low, d.range.high,"
-                        " d.rangeOfAll.low, d.rangeOfAll.high, d.scenes, d.better, d.worse]", line["method"], line["other"])
-                    self.assertEqual(shown, [float(value) for value in list(line.values())[2:]])
+                    "const d = currentView().differenceOf(...arguments); return [d.value, d.range.low, d.range.high,"
+                    " d.rangeOfAll.low, d.rangeOfAll.high, d.scenes, d.better, d.worse]", line["method"], line["other"])
+                self.assertEqual(shown, [float(value) for value in list(line.values())[2:]])
+        self.open(page, "#scenes=cube,torus,tiles,blocks,hills,gear", part="verdict")
+        self.assertEqual({str(of) for of in self.script(self.INTERVALS).values()}, {str([None] * len(keys))})
+        self.assertIn("sums alone", self.find("#verdict .note.sums").text)
+        self.assertEqual(self.script("return currentView().differenceOf('ids', 'mote4').range"), None)
+
+    def test_sums_under_filters_are_those_of_the_rows_to_the_last_digit(self):
+        self.open(self.folder / "seven" / "report.html")
+        self.check_sums({}, self.tables("rows.csv"))
+        rows = [row for row in self.tables("rows.csv") if row["study"] == "compare"]
+        random = Random(7)
+        values = {name: sorted({row[name] for row in rows}) for name in ("scene", "split", "scene_kind", "method")}
+        for _ in range(200):
+            chosen = {"scenes": random.sample(values["scene"], random.randint(1, 7))}
+            if random.random() < 0.5:
+                chosen["split"] = random.choice(values["split"])
+            if random.random() < 0.2:
+                chosen["scene_kind"] = random.choice(values["scene_kind"])
+            if random.random() < 0.5:
+                chosen["methods"] = random.sample(values["method"], random.randint(1, 4))
+            self.check_sums(chosen, [row for row in rows if row["scene"] in chosen["scenes"] and all(
+                chosen.get(name, row[name]) == row[name] for name in ("split", "scene_kind"))])
+
+    def check_sums(self, chosen, rows):
+        """What the page makes of filters against sums of the rows that they leave."""
+        shown = self.script(
+            "for (const name of FILTERS) state.values[name] = name in arguments[0] ? arguments[0][name] : state.defaults[name];"
+            "viewCache = null; const view = currentView(); return view.summaries.map(s => [s.method, s.views, s.scenes,"
+            " s.value, s.f_1px, s.precision, s.recall, s.ms, s.classes.crease])", chosen)
+        methods = dict.fromkeys(row["method"] for row in rows)
+        if "methods" in chosen:
+            methods = [m for m in methods if m in chosen["methods"] + ["none", "sampled", "exact_corner", "oracle"]]
+        self.assertEqual([line[0] for line in shown], list(methods))
+        for method, *values in shown:
+            own = [row for row in rows if row["method"] == method and row["status"] == "ok"]
+            total = lambda *names: sum(int(row[name] or 0) for row in own for name in names)
+            ratio = lambda over, under, of_none=None: over / under if under else of_none
+            with self.subTest(chosen=chosen, method=method):
+                self.assertEqual(values, [
+                    len(own), len({row["scene"] for row in own}),
+                    ratio(2 * total("k_2px"), total("n_pred", "n_truth"), 1) if own else None,
+                    ratio(2 * total("k_1px"), total("n_pred_1px", "n_truth"), 1) if own else None,
+                    ratio(total("k_2px"), total("n_pred")), ratio(total("k_2px"), total("n_truth")),
+                    median([int(row["draw_ns"]) * 1e-6 for row in own if row["draw_ns"]]),
+                    ratio(total("k_crease"), total("truth_px_crease"))])
 
     def test_the_answer_is_that_of_terminal_verdict_and_latex(self):
         said = (self.folder / "seven" / "verdict.md").read_text()
-        for address in ("", self.CHOSEN):
-            self.open(self.folder / "seven" / "report.html", address)
-            first, rest = self.script("return answerWords(currentView())")
-            answer = f"{first}. {rest}"
-            self.assertIn("[", answer)
-            self.assertIn(answer, self.printed)
-            self.assertIn(answer, said.replace("*", "").replace("`", ""))
-            self.assertEqual(self.find("h1").text, first)
-            self.assertIn(rest, self.find(".lead").text)
-            self.assertIn(self.find(".paper-sentence").get_attribute("textContent"), said)
+        self.open(self.folder / "seven" / "report.html")
+        first, rest = self.find("h1").text, self.find(".lead").text
+        self.assertIn("[", rest)
+        self.assertIn(f"\n{first}. {rest} F is at", self.printed)
+        self.assertIn(f"\n{first}. {rest} F is at", said.replace("*", "").replace("`", ""))
+        for paragraph in self.find_all("header .more p"):
+            text = paragraph.get_attribute("textContent")
+            self.assertTrue(text in said or text.startswith("No method is both"), text)
+        self.check_winner(first)
+        self.open(self.folder / "seven" / "report.html", "#methods=mote4,ids")
+        self.assertEqual(self.find(".lead").text, f"A filter is set: these are sums alone. The answer of all is {first}.")
+        self.assertEqual(self.find_all(".paper-sentence"), [])
+
+    def check_winner(self, first):
         lines = {line["answer"]: line for line in self.tables("summary.csv")}
         winner = lines.get("answer") or lines["both"]
         self.assertEqual(winner["method"], first.split(":")[0])
+        self.assertEqual(self.script("return currentView().answer.method.method"), winner["method"])
         self.check_latex(winner, first)
 
     def check_latex(self, winner, sentence):

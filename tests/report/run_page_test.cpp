@@ -83,6 +83,16 @@ TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
                 HasSubstr("<title>Inkbench: &lt;b&gt;</title>"));
 }
 
+TEST_F(RunPage, SaysWhatTheVerdictSaysAndHowRunsDiffer) {
+    run_.comparison = summary::compare_methods(run_.tables.rows);
+    const std::string page = run_page({run_, run_});
+    EXPECT_THAT(page,
+                HasSubstr(R"("words":{"first":"mote4: F 0.800 in 2.00 ms, the only method",)"));
+    EXPECT_THAT(page, HasSubstr(R"("summary.csv":{"lines":1,)")) << "which its folder lacks";
+    EXPECT_THAT(
+        page, HasSubstr(R"("diffs":[[{},{"mote4":{"low":null,"high":null,"time_ratio":null}}],)"));
+}
+
 TEST_F(RunPage, AFileThatCannotBeWrittenIsAnError) {
     EXPECT_THROW(write_run_page({run_}, folder_ / "no" / "page.html"), core::Error);
 }

@@ -56,13 +56,13 @@ function viewOf(run) {
     const scenes = distinct(allRows, row => row.scene);
     return {
         run, measure, allRows, rows, summaries, contestants, ranked, isAffordable, isMethodShown, scenes,
-        hasAllScenes, answer, best: answer.method,
+        hasAllScenes, answer, best: answer.method, isWhole: isWhole(run),
         /// The paired difference of two methods, by name.
         differenceOf: (a, b) => {
-            const isTabled = hasAllScenes && measure === 'f_2px' && !state.get('methods') && !state.get('families') &&
-                run.table('differences.csv').has('scenes');
-            differences ??= isTabled ? tabledDifferences(run) : allDifferences(byValue, measure);
-            return differences(a, b);
+            const isTabled = hasAllScenes && measure === 'f_2px' && run.table('differences.csv').has('scenes');
+            if (isTabled) return (differences ??= tabledDifferences(run))(a, b);
+            const [ofA, ofB] = [a, b].map(name => contestants.find(s => s.method === name));
+            return pairedDifference(ofA.rows, ofB.rows, measure);
         },
         views: distinct(allRows, row => `${row.scene}\n${row.view}`).length,
         methods: contestants.map(s => s.info),
@@ -72,15 +72,6 @@ function viewOf(run) {
     };
 }
 
-/// The interval of a method's measure: that of summary.csv, which is over all scenes, or one made
-/// alike of the scenes that are shown.
-function rangeOf(run, {method, rows}, measure, hasAllScenes) {
-    const line = hasAllScenes && run.table('summary.csv').lines.find(one => one.method === method);
-    const key = measure === 'f_2px' ? 'f' : `recall_${measure}`;
-    if (!line || line[`${key}_lo`] === undefined) return pooledInterval(rows, measure);
-    return line[`${key}_lo`] === null ? null : {low: line[`${key}_lo`], high: line[`${key}_hi`]};
-}
-
 /// What the page calls a part of the suite.
 function splitTitle(split) {
     return {train: 'training', heldout: 'held-out', real: 'real models'}[split] ?? split;
@@ -88,6 +79,11 @@ function splitTitle(split) {
 
 function isFiltered() {
     return FILTERS.some(name => !state.isDefault(name));
+}
+
+/// Whether the page shows all of a run, asked as the run was: then the words of the run hold.
+function isWhole({words, record}) {
+    return words !== null && !isFiltered() && state.get('budget') === record.budget_ms && state.get('margin') === record.f_margin;
 }
 
 function drawFilters(root, view) {

@@ -97,7 +97,7 @@ function redraw(changed) {
     if (isFilter) {
         viewCache = null;
         showParts();
-        drawHeadSoon();
+        drawHead();
     }
     const filters = document.getElementById('filters');
     redrawInPlace(filters, () => drawFilters(filters, cachedView()));
@@ -113,14 +113,6 @@ function redraw(changed) {
 function drawHead() {
     const head = document.querySelector('header .wrap');
     redrawInPlace(head, () => drawHeader(head, cachedView()));
-}
-
-let headTimer = 0;
-/// The finding holds the difference of two methods, which takes the intervals of all pairs: what the
-/// reader works answers first, and choices in a row are followed by one finding.
-function drawHeadSoon() {
-    clearTimeout(headTimer);
-    headTimer = setTimeout(drawHead, 40);
 }
 
 function applyTheme() {

@@ -105,38 +105,6 @@ function timeOf(rows) {
     return {median: quantile(times, 0.5), low: quantile(times, 0.25), high: quantile(times, 0.75)};
 }
 
-/// Where a method's time may lie: medians over views of the least and of the median of each cell.
-function doubtOf(rows) {
-    const [low, high] = ['draw_ns_min', 'draw_ns_median'].map(
-        name => quantile(ascending(rows.map(row => (isNumber(row[name]) ? row[name] * 1e-6 : null))), 0.5));
-    return isNumber(low) && isNumber(high) ? {low, high} : null;
-}
-
-/// How long frames of rows `b` take of those of `a`: the geometric mean over the views that both have of
-/// the ratios of their least times, as `inkbench diff` has it. Null where times do not compare.
-function timeRatio(a, b) {
-    const ofA = new Map(a.map(row => [`${row.scene}\n${row.view}`, row]));
-    const pairs = b.map(row => [ofA.get(`${row.scene}\n${row.view}`), row]).filter(
-        ([first, second]) => first && first.draw_ns_min > 0 && second.draw_ns_min > 0);
-    const differs = pairs.some(([first, second]) => ['cpu', 'simd', 'compiler', 'flags'].some(name => first[name] !== second[name]));
-    if (!pairs.length || differs) return null;
-    return Math.exp(d3.sum(pairs, ([first, second]) => Math.log(second.draw_ns_min / first.draw_ns_min)) / pairs.length);
-}
-
-/// The scene with most of the error within 2 px, and its share of it.
-function errorScene(rows) {
-    const wrong = [...groupBy(rows, row => row.scene)].map(
-        ([scene, own]) => [scene, d3.sum(own, row => row.n_pred + row.n_truth - 2 * row.k_2px)]);
-    const [scene, most] = wrong.reduce((a, b) => (b[1] > a[1] ? b : a), ['', 0]);
-    return {scene, share: most ? most / d3.sum(wrong, w => w[1]) : 0};
-}
-
-/// Whether most of a method's error sits in one of many scenes: its F is then known less well than an
-/// interval says.
-function isErrorInOneScene(line) {
-    return line.scenes >= FEWEST_SCENES && line.errorShare > 0.5;
-}
-
 /// What the rows of one method say together.
 function summarise(method, rows, measure) {
     const scored = rows.filter(isScored);
@@ -147,7 +115,6 @@ function summarise(method, rows, measure) {
         ofKind => pooled(ofKind, measure));
     const widths = ascending(scored.map(row => row.mean_width_px));
     const time = timeOf(scored);
-    const errors = errorScene(scored);
     return {
         method: method.name,
         info: method,
@@ -162,8 +129,6 @@ function summarise(method, rows, measure) {
         real: ofSplit('real'),
         macro: macro.length ? d3.mean(macro) : null,
         kinds: kinds.length > 1 ? d3.mean(kinds) : null,
-        errorScene: errors.scene,
-        errorShare: errors.share,
         f_1px: pooled(scored, 'f_1px'),
         precision: pooled(scored, 'precision'),
         recall: pooled(scored, 'recall'),
@@ -171,8 +136,6 @@ function summarise(method, rows, measure) {
         width_px: widths.length ? d3.mean(widths) : null,
         ms: time ? time.median : null,
         msRange: time && scored.length > 1 ? time : null,
-        msDoubt: doubtOf(scored),
-        images: scored.every(row => row.image_hash) ? scored.map(row => row.image_hash).join(' ') : method.name,
         bytes: d3.max(scored, row => row.bytes_per_px) ?? null,
     };
 }

@@ -57,6 +57,7 @@ class Run {
         this.index = index;
         this.label = packed.label;
         this.record = packed.record;
+        this.words = packed.words;  // of verdict.md: {first, rest, extent, paper, warnings}; null of no comparison
         this.live = new Map(Object.entries(packed.live));  // address of a scene's page for the reader's GPU
         this.tables = {};
         for (const [name, table] of Object.entries(packed.tables))

@@ -32,7 +32,7 @@ function aboutTerms() {
         ['training, held-out, real', 'the three parts of a suite. Methods were tuned, if at all, on training scenes ' +
             'only. Held-out scenes are made by code too, so they are like the training scenes in ways that nobody ' +
             'chose. Real models are files. A conclusion holds on the parts it names and on no other.'],
-        ['95 % interval', `where a value would lie for other scenes like these: scenes are drawn anew ${RESAMPLES} ` +
+        ['95 % interval', 'where a value would lie for other scenes like these: scenes are drawn anew 2000 ' +
             'times with replacement, each with all its views, because views of one scene are hard or easy ' +
             'together (the bootstrap t). Such intervals of the catalogue’s scenes hold the truth in 80 of 100 cases with 6 ' +
             'scenes, in 85 with 16 and in 90 with 36; in fewer where most of the error sits in one scene. Fewer than six give none.'],

@@ -14,6 +14,7 @@ addSection({
         const points = methods.flatMap(s => classes.map(name => ({
             method: s, name, value: s.classes[name], range: rangeOf(view.run, s, name, view.hasAllScenes),
         }))).filter(p => p.value !== null);
+        noteSums(root, {...view, measure: null});
         makeChart(root, {
             id: 'classes', title: 'Recall by class of line',
             height: 46 + 22 * methods.length + 40,

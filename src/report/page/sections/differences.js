@@ -18,6 +18,7 @@ addSection({
         const lines = others.map(s => ({
             method: s.method, info: s.info, rows: s.rows, difference: view.differenceOf(s.method, against),
         })).filter(line => line.difference).sort((a, b) => b.difference.value - a.difference.value);
+        noteSums(root, view);
         makeChart(root, {
             id: 'differences', title: `${MEASURES[view.measure].title} less that of ${against}`,
             height: 24 + 22 * lines.length + 46,
@@ -58,6 +59,6 @@ function drawDifferences(chart, lines, title) {
             .style('fill', isLead(difference) ? colourOf(line.info) : 'var(--paper)');
         plot.append('text').attr('class', 'tick').attr('x', width + 8).attr('y', y + 4).text(formatSigned(difference.value, 4));
         answerPointer(node, line.rows, [`${formatSigned(difference.value, 4)}, 95 % interval ${formatSignedRange(difference.range, 4)}, ` +
-            (difference.rangeOfAll ? `with all others together ${formatSignedRange(difference.rangeOfAll, 4)}, ` : '') + count(difference.views, 'view')]);
+            (difference.rangeOfAll ? `with all others together ${formatSignedRange(difference.rangeOfAll, 4)}, ` : '') + count(difference.scenes, 'scene')]);
     });
 }

@@ -3,7 +3,7 @@
 
 function drawHeader(root, view) {
     const {run, best} = view;
-    const [lead, ...more] = run.rows.length && !run.has('hardest.csv') ? verdictSentences(view) : [runWords(run)];
+    const [lead, ...more] = run.rows.length && !run.has('hardest.csv') ? leadWords(view) : [runWords(run)];
     root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
@@ -12,12 +12,19 @@ function drawHeader(root, view) {
         lead ? element('p', {class: 'lead'}, lead) : null,
         unscoredWarning(),
         busyWarning(),
-        best && more.length ? element('details', {class: 'more', 'data-name': 'more'},
-            element('summary', {}, `${count(view.contestants.length, 'method')}, ${count(best.views, 'view')} of ` +
-                `${scenesText(view, best.scenes)} with a score, ${run.rows[0].width} × ${run.rows[0].height} px: more`),
-            more.map(text => element('p', {}, text)),
-            runs.length === 1 ? element('p', {class: 'paper-sentence'}, element('b', {}, 'For a paper: '), paperSentence(view)) : null) : null,
+        best && !run.has('hardest.csv') ? extentNote(view, more) : null,
     ].filter(Boolean));
+}
+
+/// Over how much it is, with what few need below.
+function extentNote(view, more) {
+    const {run, best, isWhole} = view;
+    const words = `${count(view.contestants.length, 'method')}, ${count(best.views, 'view')} of ${scenesText(view, best.scenes)} ` +
+        `with a score, ${run.rows[0].width} × ${run.rows[0].height} px`;
+    if (!more.length) return element('p', {class: 'note'}, `${words}.`);
+    return element('details', {class: 'more', 'data-name': 'more'}, element('summary', {}, `${words}: more`),
+        more.map(text => element('p', {}, text)),
+        runs.length === 1 && isWhole ? element('p', {class: 'paper-sentence'}, element('b', {}, 'For a paper: '), run.words.paper) : null);
 }
 
 function runWords(run) {
@@ -31,39 +38,26 @@ function headline(view) {
     const {run} = view;
     if (runs.length > 1) return `${runs.length} runs beside each other: ${runs.map(r => r.label).join(', ')}`;
     if (run.has('hardest.csv')) return hardestWords(run);
-    if (run.rows.length) return answerWords(view)[0];
+    if (run.rows.length) return view.isWhole ? run.words.first : answerOfSums(view);
     return run.record.name === run.record.kind ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
 }
 
-/// The sentence below the headline, then those that few need.
-function verdictSentences(view) {
-    const {best, contestants} = view;
-    if (!best) return contestants.length ? [] : ['No method is left by these filters.'];
-    const [first, rest] = answerWords(view);
-    const most = d3.greatest(contestants, s => s.value);
-    const words = [runs.length > 1 ? `${view.run.label}: ${first}. ${rest}` : rest,
-        `${measureWord(view.measure)} is at ${view.measure === 'f_1px' ? 1 : 2} px, over ${countOfAll(most.views, view.views, 'view')} of ` +
-            `${countOfAll(most.scenes, view.scenes.length, 'scene')} pooled.`,
-        partWords(contestants)];
+/// "1 scene", "4 models": models where all are model files.
+function scenesText(view, number) {
+    return count(number, view.allRows.every(row => row.split === 'real') ? 'model' : 'scene');
+}
+
+/// What stands below the headline, then what few need: of a whole run its own words, of filters that
+/// there are none.
+function leadWords(view) {
+    const {run, contestants, isWhole} = view;
+    const {first, rest, extent} = run.words;
     const front = paretoFront(contestants, s => s.ms, s => 1 - s.value).map(s => s.method);
-    if (front.length > 1) words.push(`No method is both faster and better than these: ${front.join(', ')}.`);
-    return words;
-}
-
-/// "83 of 87 views", "36 scenes".
-function countOfAll(number, all, what) {
-    return number === all ? count(all, what) : `${number} of ${count(all, what)}`;
-}
-
-/// The best method of each part of the suite, or which the only part is: on what the verdict holds.
-function partWords(contestants) {
-    const parts = ['train', 'heldout', 'real'].map(split => {
-        const own = contestants.filter(s => s[split] !== null);
-        return {split, best: own[d3.maxIndex(own, s => s[split])]};
-    }).filter(part => part.best);
-    if (parts.length === 1) return `All scenes here are of one part: ${splitTitle(parts[0].split)}.`;
-    return `Best by part: ${parts.map(({split, best}) =>
-        `${splitTitle(split)} ${best.method} ${formatShare(best[split])}`).join(', ')}.`;
+    const more = [...(isWhole ? [extent] : []), ...(front.length > 1 ? [`No method is both faster and better than these: ${front.join(', ')}.`] : [])];
+    const label = runs.length > 1 ? `${run.label}: ` : '';
+    if (isWhole) return [runs.length > 1 ? `${label}${first}. ${rest}` : rest, ...more];
+    const left = contestants.length ? 'A filter is set: these are sums alone.' : 'No method is left by these filters.';
+    return [`${left} The answer of all is ${label}${first}.`, ...more];
 }
 
 function ofRunText(run) {

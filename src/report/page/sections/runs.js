@@ -28,6 +28,7 @@ addSection({
             ? `Results changed for ${changed.map(line => line.method).join(', ')}; those of ${count(lines.length - changed.length, 'other method')} are the same, bit for bit.`
             : 'All results are the same, bit for bit: these runs differ in times alone.'));
         drawAskedDifferences(root, a, b);
+        noteSums(root, ofA);
         const drawn = lines.filter(line => line.difference);
         makeChart(root, {
             id: 'runs', title: `${MEASURES[view.measure].title}: ${b.label} less ${a.label}`, height: 24 + 22 * drawn.length + 46,
@@ -43,6 +44,7 @@ addSection({
 
 /// The methods of both runs, those whose results differ first, the largest difference on top.
 function runLines(ofA, ofB, measure) {
+    const diffs = (ofA.hasAllScenes && PACKED.diffs[ofA.run.index]?.[ofB.run.index]) || {};
     const keyOf = row => `${row.scene}\n${row.view}`;
     return ofA.contestants.map(first => {
         const second = ofB.contestants.find(s => s.method === first.method);
@@ -53,10 +55,13 @@ function runLines(ofA, ofB, measure) {
         const both = second.rows.filter(row => results.has(keyOf(row)));
         const differing = both.filter(row => results.get(keyOf(row)) !== resultOf(row));
         const tagged = (differing.length ? differing : both).map(row => Object.assign(Object.create(row), {run: ofB.run.index}));
+        const diff = diffs[first.method];
+        const difference = pairedDifference(second.rows, first.rows, measure);
+        const hasRange = measure === 'f_2px' && isNumber(diff?.low);
         return {
             method: first.method, info: second.info, rows: tagged, isSame: differing.length === 0, differing: differing.length,
-            first: first.value, second: second.value, firstMs: first.ms, secondMs: second.ms, timeRatio: timeRatio(first.rows, second.rows),
-            difference: pairedDifference(second.rows, first.rows, measure),
+            first: first.value, second: second.value, firstMs: first.ms, secondMs: second.ms, timeRatio: diff?.time_ratio ?? null,
+            difference: difference && {...difference, range: hasRange ? {low: diff.low, high: diff.high} : null},
         };
     }).filter(Boolean).sort((a, b) => a.isSame - b.isSame ||
         Math.abs(b.difference ? b.difference.value : 0) - Math.abs(a.difference ? a.difference.value : 0));

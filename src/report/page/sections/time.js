@@ -36,6 +36,7 @@ addSection({
                 ...lines.map(l => [l.method, l.setting, l.ms, l.msRange && l.msRange.low, l.msRange && l.msRange.high,
                                    l.bytes, l.value, l.range && l.range.low, l.range && l.range.high])],
         });
+        noteSums(root, view);
         root.append(element('p', {class: 'note'}, ['Lower left is better. The grey stair is the lowest error to be had at each time. ' +
             'Point at a method to see its worst image, the 95 % interval of its error and the quartiles of its time over views; those of ' +
             'the stair are always there. A click keeps the image and blinks the truth over it.',

@@ -10,8 +10,8 @@ addSection({
     isThere: view => view.run.rows.length > 0 && !view.run.has('hardest.csv'),
     uses: ['sort.verdict'],
     draw(root, view) {
-        drawSampledWarning(root, view);
-        drawErrorScenes(root, view);
+        for (const text of view.isWhole ? view.run.words.warnings : []) root.append(element('p', {class: 'note'}, text.replaceAll('`', '')));
+        noteSums(root, view);
         const classes = RECALL_GROUPS.filter(name => view.summaries.some(s => s.classes[name] !== null));
         const rowsOf = line => (line.isBaseline ? null : line.rows);
         const title = MEASURES[view.measure].title;
@@ -43,28 +43,3 @@ addSection({
         });
     },
 });
-
-/// Names the methods whose error sits in one scene, for their F is known less well than it seems.
-function drawErrorScenes(root, view) {
-    const lines = view.contestants.filter(line => errorSceneText(view, line));
-    if (!lines.length) return;
-    root.append(element('p', {class: 'note'}, `Most of the error in one scene: ${lines.map(
-        line => `${line.method} ${(100 * line.errorShare).toFixed(0)} % in ${line.errorScene}`).join(', ')}.`));
-}
-
-/// Names the methods of one sample a pixel that score above the baseline that samples where they
-/// do: by luck or by drawing wide.
-function drawSampledWarning(root, view) {
-    for (const name of ['sampled', 'exact_corner']) {
-        const exact = view.summaries.find(line => line.info.name === name);
-        if (!exact || !isNumber(exact.value)) continue;
-        const better = view.summaries.filter(line => !line.isBaseline && line.value > exact.value &&
-            ['packed', 'full_buffers', 'ids'].includes(line.info.family) &&
-            (line.info.params.samples === 'corner') === (name === 'exact_corner'));
-        if (!better.length) continue;
-        root.append(warningBox('Above one exact sample a pixel.',
-            `Some things here are thinner than a pixel: one sample finds them by chance, so other views may score less. ` +
-            `${name} has ${formatShare(exact.value)}.`,
-            better.map(line => `${line.info.name}: ${formatShare(line.value)}`)));
-    }
-}
