@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Figures for papers from run folders: strips, error against time, classes, stress and more.
+"""Figures for papers from run folders: strips, buffers, error against time, classes, stress, LaTeX.
 
 As a program it writes every figure that the runs have data for, and figures.md with a caption for
 each. Notebooks call `show`. The figures themselves are in the package `paper` beside this file.
@@ -38,14 +38,7 @@ from paper.style import Style, length_in  # noqa: E402
 ROOT = Path(os.environ.get("INKBENCH_RUNS", "../inkbench-out"))
 
 # What makes the folders that notebooks read. `notebooks/execute` runs what is missing.
-COMMANDS = {name: f"build/release/inkbench run experiments/{name}.toml"
-            for name in ("quality", "speed", "packing_ranges", "stress", "animation",
-                         "offset_errors")}
-COMMANDS["bound"] = "build/release/inkbench bound --method mote4 --out inkbench-out/bound"
-COMMANDS["scaling"] = ("build/release/inkbench compare --scenes sphere --no-sweep --scaling "
-                       "--out inkbench-out/scaling")
-COMMANDS["tune"] = ("build/release/inkbench tune mote4 --objective scenes --evaluations 1000 "
-                    "--seed 7 --size 640x360 --out inkbench-out/tune/mote4")
+COMMANDS = {name: f"build/release/inkbench run experiments/{name}.toml" for name in ("quality", "stress")}
 
 
 # For notebooks.
@@ -66,7 +59,7 @@ def show(name, figure, *names, width="178mm", **options):
     from IPython.display import display
     found = folders(*names)
     if not found:
-        commands = " or ".join(f"`{COMMANDS[n.split('/')[0]]}`" for n in names)
+        commands = " or ".join(f"`{COMMANDS[name]}`" for name in names)
         print(f"Nothing to draw: the run is missing; make it with {commands}.")
         return
     runs = Runs([RunFolder(path) for path in found])

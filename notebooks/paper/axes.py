@@ -1,4 +1,4 @@
-"""One thing grows at a time: how much each method loses along an axis, how its time grows."""
+"""One difficulty at a time: how much each method loses along an axis."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -47,11 +47,6 @@ def _scale(ax, values):
         ax.xaxis.set_minor_locator(plt.NullLocator())
     elif len(values) <= 12 and (values == values.astype(int)).all() and values[-1] < 13:
         ax.set_xticks(values.astype(int))
-
-
-def _scale_of_f(ax, values):
-    _scale(ax, values)
-    ax.set_ylim(0, 1.02)
 
 
 def _words(name, units):
@@ -122,90 +117,8 @@ def losses(runs, style):
     stress, _ = _frame(runs)
     loss = _losses(stress, style)
     loss.columns = [name.replace("_", " ") for name in loss]
-    figure = heat_map(style, loss, "F at its best less F at its worst", list(loss.index), digits=2,
-                      is_loss=True)
+    figure = heat_map(style, loss, "F at its best less F at its worst", digits=2, is_loss=True)
     facts = [f"{name}: {loss[name].idxmin()} loses {loss[name].min():.3f}, {loss[name].idxmax()} "
              f"{loss[name].max():.3f}" for name in loss] + _faults(stress)
     return Chart(figure, "What each method loses along each axis of difficulty: F where it is best "
                  "less F where it is worst. " + runs.source("axis_summary.csv"), facts)
-
-
-def _by_family(style, frame, names, y, label, scale, only_own=False):
-    """A panel per family and axis of `names`: `y` over `value` with its interval, the other families in grey."""
-    groups = style.families_of(frame["method"])
-    across = style.columns(50, len(groups))
-    blocks = -(-len(groups) // across)
-    figure, axes = layout.new_figure(style, 1.5 * len(names) * blocks, len(names) * blocks, across,
-                                     sharey=True)
-    ends = []
-    for g, (family, members) in enumerate(groups.items()):
-        for k, name in enumerate(names):
-            ax = axes[g // across * len(names) + k, g % across]
-            along = frame[frame["axis"] == name].sort_values("value")
-            own_ends = []
-            for method, own in along.groupby("method", sort=False):
-                if method not in members:
-                    if not only_own:
-                        ax.plot(own["value"], own[y], color=MIST, linewidth=0.5, zorder=1)
-                    continue
-                look = style.look(method, True)
-                ax.plot(own["value"], own[y], **{**look, "markersize": 2.4 * style.scale,
-                                                 "linewidth": 0.9 * style.scale})
-                if f"{y}_lo" in own and own[f"{y}_lo"].notna().any():
-                    ax.fill_between(own["value"], own[f"{y}_lo"], own[f"{y}_hi"],
-                                    color=look["color"], alpha=0.12, linewidth=0)
-                own_ends.append((own["value"].iloc[-1], own[y].iloc[-1], method))
-            scale(ax, along["value"])
-            ax.set_xlabel(label(name))
-            if k == 0:
-                ax.set_title(family, color=style.text_colour(members[0]))
-            ends.append((ax, own_ends))
-    for ax in axes[(blocks - 1) * len(names):, (len(groups) - 1) % across + 1:].flat:
-        ax.set_axis_off()
-    layout.label_ends(figure, style, ends)
-    return figure, axes
-
-
-def apart(runs, style):
-    """The three axes that part methods most, a panel a family, with intervals."""
-    stress, _ = _frame(runs)
-    loss = _losses(stress, style)
-    units = stress.groupby("axis")["unit"].first()
-    names = (loss.max() - loss.min()).sort_values(ascending=False).index[:3]
-    figure, _ = _by_family(style, stress, list(names), "f", only_own=True,
-                           label=lambda name: _words(name, units), scale=_scale_of_f)
-    figure.supylabel("F at 2 px")
-    return Chart(figure, "F at 2 px along the axes that part methods most, by family. Shades: 95 % "
-                 "intervals (cases resampled). " + runs.source("axis_summary.csv"),
-                 ["the widest spread of losses: " + ", ".join(names)])
-
-
-_GROWTH = {"triangles": ("triangles", 1), "pixels": ("megapixels", 1e-6),
-           "covered": ("covered share, %", 100)}
-
-
-def _log_scale(ax, _):
-    layout.log_axes(ax)
-
-
-def scaling(runs, style):
-    """How time grows with triangles, pixels and the covered share of the image."""
-    frame = runs.table("rows.csv of scaling", "`inkbench compare --scaling` writes it")
-    frame["ms"] = frame["draw_ns_min"] / 1e6
-    if not frame["ms"].notna().any():
-        raise Nothing("the run was made without times (--no-times)")
-    frame["value"] *= frame["axis"].map({name: times for name, (_, times) in _GROWTH.items()})
-    kinds = [name for name in _GROWTH if name in set(frame["axis"])]
-    figure, _ = _by_family(style, frame, kinds, "ms", lambda name: _GROWTH[name][0], _log_scale)
-    figure.supylabel("least time of a frame, ms")
-    facts = []
-    for kind in kinds:
-        along = frame[frame["axis"] == kind].sort_values("value")
-        span = along.groupby("method")["ms"].agg(["first", "last"])
-        growth = (span["last"] / span["first"]).sort_values()
-        facts.append(f"{kind} x {along['value'].max() / along['value'].min():.0f}: time x "
-                     f"{growth.iloc[0]:.1f} ({growth.index[0]}) to x {growth.iloc[-1]:.1f} "
-                     f"({growth.index[-1]})")
-    return Chart(figure, "Least time of a frame on spheres of growing triangle count, image size and "
-                 "covered share; grey: the other families. " + runs.source("rows.csv of scaling"),
-                 facts)

@@ -1,15 +1,12 @@
-"""What a millisecond buys: error against time, settings, sizes and threads."""
+"""What a millisecond buys: error against time."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 from paper import layout
 from paper.chart import Chart, Nothing
-from paper.methods import panels_by_family
-from paper.runs import BASELINES, ONE_SAMPLE, answer_of, extent, ms, pooled
-from paper.style import FAINT, INK, MIST, PAPER
-
-_NO_TIMES = "the run was made without times (--no-times)"
+from paper.runs import ONE_SAMPLE, answer_of, extent, ms
+from paper.style import FAINT, MIST
 
 
 def front(points):
@@ -38,7 +35,7 @@ def error_time(runs, style):
     """Every method at its own settings: error against time, intervals both ways, Pareto front."""
     summary = runs.summary()
     if not (summary["draw_ms"] > 0).any():
-        raise Nothing(_NO_TIMES)
+        raise Nothing("the run was made without times (--no-times)")
     methods = [m for m in style.by_family(summary.index) if summary.loc[m, "draw_ms"] > 0]
     lines = summary.loc[methods]
     for tall in (0.45, 0.6, 0.8, 1.0, 1.3, 1.7):
@@ -118,92 +115,3 @@ def _error_time(style, summary, lines, height_in):
     _, is_free = places.place()
     places.draw([style.text_colour(m) for m in lines.index])
     return figure, is_free
-
-
-def settings(runs, style):
-    """What the settings of each method trade between time and error."""
-    sweep = runs.table("sweep.csv", "`inkbench compare` sweeps settings unless --no-sweep is given")
-    if not sweep["draw_ns"].notna().any():
-        raise Nothing(_NO_TIMES)
-    points = pooled(sweep, ["method", "params"])
-    times = sweep.groupby(["method", "params"], sort=False)["draw_ns"].median() / 1e6
-    points = points.merge(times.rename("ms").reset_index()).sort_values(["ms", "error"])
-    points["best_so_far"] = points.groupby("method")["error"].cummin()
-    groups = style.families_of(points["method"])
-    figure, axes = panels_by_family(style, groups, 2.1, sharex=True, sharey=True)
-    ends = []
-    for ax, members in zip(axes.flat, groups.values()):
-        ax.step(points["ms"], points["error"].cummin(), where="post", color=MIST,
-                linewidth=2.2 * style.scale, zorder=1)
-        own_ends = []
-        for method in members:
-            own = points[points["method"] == method]
-            look = style.look(method, True)
-            ax.plot(own["ms"], own["error"], linestyle="", marker=look["marker"],
-                    markersize=2.2 * style.scale, color=look["color"], alpha=0.45,
-                    markeredgewidth=0)
-            steps = own[own["error"] == own["best_so_far"]]
-            ax.step(steps["ms"], steps["error"], where="post",
-                    **{**look, "markersize": 3.2 * style.scale, "linewidth": 0.9 * style.scale})
-            own_ends.append((steps["ms"].iloc[-1], steps["error"].iloc[-1], method))
-        layout.log_axes(ax)
-        ends.append((ax, own_ends))
-    figure.supxlabel("time of a frame, ms")
-    figure.supylabel("error 1 − F at 2 px")
-    layout.label_ends(figure, style, ends)
-    facts = []
-    for method in style.by_family(points["method"]):
-        own = points[points["method"] == method]
-        facts.append(f"{method}: {len(own)} settings, {ms(own['ms'].min())} to "
-                     f"{ms(own['ms'].max())} ms, error {own['error'].min():.3f} to "
-                     f"{own['error'].max():.3f}")
-    return Chart(figure, "What settings trade: small marks are all settings of a sweep, stairs those "
-                 "that no other of the method beats, the grey stair those that none beats at all. "
-                 + runs.source("sweep.csv"), facts)
-
-
-def sizes(runs, style):
-    """How time grows with the image, for each number of threads."""
-    rows = runs.table("rows.csv")
-    rows = rows[~rows["method"].isin(BASELINES) & rows["draw_ns"].notna()]
-    rows = rows.assign(megapixels=rows["width"] * rows["height"] / 1e6)
-    counts = sorted(rows["threads"].unique())
-    if rows["megapixels"].nunique() < 2 and len(counts) < 2:
-        raise Nothing("the run has one size and one number of threads; "
-                      "`inkbench run experiments/speed.toml` has several")
-    times = rows.groupby(["method", "threads", "megapixels"])["draw_ns"].median() / 1e6
-    groups = style.families_of(rows["method"])
-    figure, axes = panels_by_family(style, groups, 2.0, sharey=True, sharex=True)
-    dashes = ["-", "--", ":", "-."]
-    ends = []
-    for ax, members in zip(axes.flat, groups.values()):
-        own_ends = []
-        for method in members:
-            for threads, dash in zip(counts, dashes):
-                if (method, threads) not in times.index.droplevel(2):
-                    continue
-                points = times[method][threads]
-                look = style.look(method, True)
-                is_first = threads == counts[0]
-                ax.plot(points.index, points.values, **{
-                    **look, "linestyle": dash, "markersize": 3 * style.scale,
-                    "markerfacecolor": look["markerfacecolor"] if is_first else PAPER})
-                if is_first:
-                    own_ends.append((points.index[-1], points.values[-1], method))
-        layout.log_axes(ax)
-        ends.append((ax, own_ends))
-    figure.supxlabel("megapixels")
-    figure.supylabel("time of a frame, ms")
-    facts = []
-    if len(counts) > 1:
-        layout.key(figure, style, [
-            (f"{threads} thread{'s' if threads > 1 else ''}", {"color": INK, "linestyle": dash})
-            for threads, dash in zip(counts, dashes)])
-        wide = times.unstack("threads")
-        gain = (wide[counts[0]] / wide[counts[-1]]).groupby("method").median().sort_values()
-        facts.append(f"{counts[-1]} threads against {counts[0]}: {gain.iloc[0]:.2f} x as fast "
-                     f"({gain.index[0]}) to {gain.iloc[-1]:.2f} x ({gain.index[-1]}), median of "
-                     "sizes")
-    layout.label_ends(figure, style, ends)
-    return Chart(figure, "Median time of a frame over the size of the image and the number of "
-                 "threads, by family. " + runs.source("rows.csv"), facts)

@@ -77,13 +77,6 @@ def method_axis(ax, style, methods):
             ax.axhline(i - 0.5, color=MIST, linewidth=0.6)
 
 
-def log_axes(ax):
-    """Both axes logarithmic, with plain numbers at their ticks."""
-    ax.set_xscale("log")
-    ax.set_yscale("log")
-    plain_ticks(ax)
-
-
 def plain_ticks(ax, x=True, y=True):
     """Ticks of a logarithmic axis at 1, 2, 5 times powers of ten, as plain numbers."""
     for axis in [ax.xaxis] * x + [ax.yaxis] * y:

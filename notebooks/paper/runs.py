@@ -86,9 +86,7 @@ class RunFolder:
     def table(self, name):
         """The file `name` as a frame, or None if it is missing or has no line of data.
 
-        A table that names cells has the columns of their rows too, and its own where both have one.
-        Of rows.csv the cells of a comparison are here alone; "rows.csv of scaling" has those of
-        that study.
+        Of rows.csv the cells of a comparison are here alone.
         """
         if name not in self._frames:
             self._frames[name] = self._read(name)
@@ -96,15 +94,12 @@ class RunFolder:
         return None if frame is None else frame.copy()
 
     def _read(self, name):
-        name, _, study = name.partition(" of ")
         path = self._file(name)
         if not path.is_file():
             return None
         frame = _read_csv(path)
         if name == "rows.csv":
-            frame = frame[frame["study"] == (study or "compare")]
-        elif "cell" in frame:
-            frame = self._with_rows(name, frame)
+            frame = frame[frame["study"] == "compare"]
         return frame.reset_index(drop=True) if len(frame) else None
 
     def _file(self, name):
@@ -117,42 +112,14 @@ class RunFolder:
         rows = _read_csv(self._file("rows.csv"))
         return [name for name in rows[column].unique() if name not in BASELINES]
 
-    def _with_rows(self, name, frame):
-        rows = _read_csv(self._file("rows.csv"))
-        joined = frame.merge(rows[["cell"] + [c for c in rows if c not in frame]], on="cell",
-                             how="left")
-        if name == "sweep.csv":
-            joined["params"] = _settings(joined, _swept(frame))
-        return joined
-
 
 def _read_csv(path):
     try:
         head = pd.read_csv(path, nrows=0)
-        texts = {c: str for c in _TEXTS if c in head}
-        if path.name.startswith("sweep.csv"):
-            texts.update({c: str for c in _swept(head)})
-        return pd.read_csv(path, low_memory=False, dtype=texts)
+        return pd.read_csv(path, low_memory=False, dtype={c: str for c in _TEXTS if c in head})
     except (OSError, EOFError, ValueError, pd.errors.ParserError) as error:
         raise BadInput(path, f"it is not the table it should be ({error})",
                        "as inkbench wrote it") from error
-
-
-def _swept(sweep):
-    """The parameters that have a column of sweep.csv: those between `status` and the scores."""
-    columns = list(sweep.columns)
-    return columns[columns.index("status") + 1 : columns.index("f_2px")]
-
-
-def _settings(sweep, swept):
-    """The whole parameters of each setting: those of its cell with what the setting changes."""
-    def whole(line):
-        own = dict(pair.split("=", 1) for pair in line["params"].split(";"))
-        own.update({name: line[name] for name in swept
-                    if name in own and isinstance(line[name], str)})
-        return ";".join(f"{name}={value}" for name, value in own.items())
-
-    return sweep.apply(whole, axis=1)
 
 
 class Runs:
@@ -160,8 +127,8 @@ class Runs:
 
     methods, scenes: names or globs to which every table is narrowed; None for all. is_every_view:
     images of all views are shown, not of the first of each scene alone. tables_of_scenes: a folder
-    with summary.csv and differences.csv of these scenes, which a run has of all. Raises BadInput for
-    a name that no row has.
+    with summary.csv of these scenes, which a run has of all. Raises BadInput for a name that no row
+    has.
     """
 
     def __init__(self, folders, methods=None, scenes=None, is_every_view=False, tables_of_scenes=None):
@@ -171,8 +138,7 @@ class Runs:
         self.is_every_view = is_every_view
         is_every_scene = scenes is None or set(self.scenes) == set(self._all("scene"))
         self._of_scenes = None if is_every_scene else {
-            name: _read_csv(Path(tables_of_scenes) / name) if tables_of_scenes else None
-            for name in ("summary.csv", "differences.csv")}
+            "summary.csv": _read_csv(Path(tables_of_scenes) / "summary.csv") if tables_of_scenes else None}
 
     def _all(self, column):
         return list(dict.fromkeys(name for f in self.folders for name in f.names(column)))
@@ -246,27 +212,6 @@ class Runs:
         part = f" made of {', '.join(self.scenes)}" if self._of_scenes and names[0] in self._of_scenes else ""
         return f"Numbers: {files} of the run {folder.name}{part}."
 
-    def differences(self):
-        """differences.csv; raises Nothing if fewer than two methods stay."""
-        frame = self.table("differences.csv", "only a comparison of two methods or more, of one "
-                           "size, has it")
-        if self.methods is not None:
-            frame = frame[frame["other"].isin(self.methods)]
-        if not len(frame):
-            raise Nothing("it takes two methods")
-        return frame
-
-    def evaluations(self):
-        """What `inkbench tune` tried, by the name of its folder; raises Nothing if nothing."""
-        found = {}
-        for folder in self.folders:
-            frame = folder.table("evaluations.csv")
-            if frame is not None:
-                found[folder.name] = frame
-        if not found:
-            raise Nothing("no evaluations.csv in it; `inkbench tune` writes one")
-        return found
-
     def registry(self):
         """methods.csv of all folders (the first line of a name counts), by method, as text."""
         frames = [pd.read_csv(folder.path / "methods.csv", dtype=str, keep_default_na=False)
@@ -279,22 +224,6 @@ class Runs:
 def file_name(text):
     """The name of a scene, a view or a method in the paths of images, as the program writes it."""
     return re.sub(r"[^A-Za-z0-9.\-_+]", "_", text)
-
-
-def with_settings(frame):
-    """The frame with a column for every parameter in `params` ("key=value;key=value"), as text."""
-    settings = frame["params"].map(
-        lambda text: dict(pair.split("=", 1) for pair in text.split(";")))
-    columns = pd.DataFrame(list(settings), index=frame.index)
-    return frame.join(columns[[c for c in columns if c not in frame]])
-
-
-def pooled(frame, by, k="k_2px", n_pred="n_pred"):
-    """F of summed counts per group, 2 k / (n_pred + n_truth) as summary.csv has it, and 1 - F."""
-    sums = frame.groupby(by, sort=False)[[k, n_pred, "n_truth"]].sum()
-    sums["f"] = 2 * sums[k] / (sums[n_pred] + sums["n_truth"])
-    sums["error"] = 1 - sums["f"]
-    return sums.reset_index()
 
 
 def counted(number, noun):
@@ -332,8 +261,3 @@ def answer_of(lines):
                   if line["kind"] == "method" and line["scenes"] >= 6
                   and line["error_scene_share"] > 0.5]
     return next(iter(found), None), facts
-
-
-def views_of(rows):
-    """One row per scene and view, for columns that tell of the truth and not of a method."""
-    return rows.drop_duplicates(["scene", "view", "width", "height"])

@@ -25,10 +25,6 @@ CLASS_COLOURS = {each["name"]: each["figure"] for each in VOCABULARY["classes"]}
 # Of differing lightness too, so that they are told apart in grey: drawn 14, false 33, missing 55.
 MISSING, FALSE = VOCABULARY["marks"]["missing"], VOCABULARY["marks"]["false"]
 
-# Okabe and Ito, Color Universal Design, 2008, as the page has them.
-BLUE, VERMILION, GREEN = "#0072b2", "#d55e00", "#009e73"
-PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
-
 # The causes of errors in the order of their codes in *.errors.png, 1 the first: column of rows.csv,
 # words, colour. `undeclared` is never in one image with other missing ones, and may come close to
 # them.

@@ -13,9 +13,6 @@ COMMANDS = {
               "mote4,surface8,id_lookup,roberts", "--repetitions", "2", "--views", "1", "--no-sweep",
               "--no-crosscheck", "--images", "none"],
     "stress": ["stress", "--methods", "mote4,ids", "--axes", "grazing,threads", "--points", "3"],
-    "motion": ["run", "experiments/animation.toml", "--methods", "mote4,ids", "--scenes", "torus"],
-    "grid": ["run", "experiments/offset_errors.toml", "--scenes", "cube"],
-    "tune": ["tune", "mote4", "--scenes", "cube", "--evaluations", "12"],
 }
 
 

@@ -51,8 +51,8 @@ TEST(Figures, OfScenesAndMethodsMakeTheRunFirst) {
 
     // The run that it made is one like any other.
     EXPECT_THAT(
-        expect_done(desk, "figures out/run --methods mote4,ids --only strips,f --out again"),
-        AllOf(HasSubstr("again/strips.svg"), HasSubstr("again/f.png")));
+        expect_done(desk, "figures out/run --methods mote4,ids --only strips,classes --out again"),
+        AllOf(HasSubstr("again/strips.svg"), HasSubstr("again/classes.png")));
     EXPECT_THAT(desk.read("again/strips.svg"),
                 AllOf(HasSubstr(">ids</text>"), Not(HasSubstr(">decaudin</text>"))));
 }

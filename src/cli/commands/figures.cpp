@@ -105,8 +105,6 @@ struct FiguresArgs : MeasureArgs {
         usual.images = experiment::KeptImages::all;
     }
 
-    bool has_sweep = false;
-
     // Of the script, which reads and checks them.
     std::string formats;
     std::string width;
@@ -233,7 +231,7 @@ experiment::Experiment experiment_of(const FiguresArgs& args) {
     experiment::Experiment experiment = args.read();
     if (experiment.scenes.empty()) experiment.scenes = methods::split_list(kUsualScenes);
     if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
-    experiment.own_sweep_views = args.has_sweep ? 1 : 0;
+    experiment.own_sweep_views = 0;
     return experiment;
 }
 
@@ -323,7 +321,6 @@ void add_figures_command(CLI::App& app) {
                           "is made");
     options.add_to(*command, truth_rows());
     options.add_to(*command, {"grid.threads", "measure.repetitions"});
-    command->add_flag("--sweep", args->has_sweep, "Sweep the methods' settings in the run too");
     options.add_to(*command, {"seed"}, "Of intervals and random images");
     command->add_flag(
         "--force", args->folder.is_forced, "Throw away the run that is in the folder's run/");
