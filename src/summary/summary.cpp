@@ -37,14 +37,12 @@ Rows of_split(const Rows& rows, std::string_view split) {
     return kept;
 }
 
-/// Their names, in order of first appearance.
-std::vector<std::string> scenes_of(const Rows& rows) {
-    std::vector<std::string> names;
-    for (const harness::Row* row : rows) {
-        if (std::find(names.begin(), names.end(), row->scene) == names.end())
-            names.push_back(row->scene);
-    }
-    return names;
+/// At 2 px.
+SceneSums sums_by_scene(const Rows& rows) {
+    SceneSums sums;
+    for (const harness::Row* row : rows)
+        sums.add(row->scene, counts_2px(*row));
+    return sums;
 }
 
 std::optional<double> macro_f(const std::vector<Counts>& scenes) {
@@ -86,15 +84,14 @@ std::vector<KindSummary> kinds_of(const Rows& rows) {
         std::ranges::copy_if(rows, std::back_inserter(own), [&](const harness::Row* other) {
             return other->scene_kind == kind;
         });
-        const std::vector<Counts> scenes = counts_by_scene(own);
-        const std::vector<std::string> names = scenes_of(own);
-        const auto least = std::ranges::min_element(scenes, {}, &Counts::f) - scenes.begin();
+        const auto& [names, counts] = sums_by_scene(own);
+        const auto least = std::ranges::min_element(counts, {}, &Counts::f) - counts.begin();
         const auto at = static_cast<std::size_t>(least);
         kinds.push_back({kind,
-                         static_cast<int>(scenes.size()),
+                         static_cast<int>(names.size()),
                          *pooled(own, counts_2px),
                          names[at],
-                         scenes[at].f()});
+                         counts[at].f()});
     }
     return kinds;
 }
@@ -112,16 +109,15 @@ std::int64_t wrong_px(const Counts& counts) {
 }
 
 /// Where most of the error is; of scenes with as much the first.
-void find_error_scene(const Rows& rows, const std::vector<Counts>& scenes, MethodSummary& summary) {
-    const std::vector<std::string> names = scenes_of(rows);
+void find_error_scene(const SceneSums& scenes, MethodSummary& summary) {
     std::int64_t all = 0;
     std::int64_t most = 0;
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const std::int64_t wrong = wrong_px(scenes[i]);
+    for (std::size_t i = 0; i < scenes.names.size(); ++i) {
+        const std::int64_t wrong = wrong_px(scenes.counts[i]);
         all += wrong;
         if (wrong <= most) continue;
         most = wrong;
-        summary.error_scene = names[i];
+        summary.error_scene = scenes.names[i];
     }
     summary.error_scene_share = share(most, all);
 }
@@ -135,18 +131,18 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     }
     const auto has_image = [](const harness::Row* row) { return !row->image_hash.empty(); };
     if (!std::all_of(rows.begin(), rows.end(), has_image)) summary.image_hashes.clear();
-    const std::vector<Counts> scenes = counts_by_scene(rows);
-    summary.scenes = static_cast<int>(scenes.size());
+    const SceneSums scenes = sums_by_scene(rows);
+    summary.scenes = static_cast<int>(scenes.names.size());
     summary.f_2px = pooled(rows, counts_2px);
     if (!rows.empty())
-        summary.f_2px_range = statistics::f_interval(scenes, {.seed = rows.front()->seed});
+        summary.f_2px_range = statistics::f_interval(scenes.counts, {.seed = rows.front()->seed});
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
     summary.f_real = pooled(of_split(rows, "real"), counts_2px);
-    summary.f_macro = macro_f(scenes);
+    summary.f_macro = macro_f(scenes.counts);
     summary.kinds = kinds_of(rows);
     summary.f_kinds = mean_of_kinds(summary.kinds);
-    find_error_scene(rows, scenes, summary);
+    find_error_scene(scenes, summary);
     summary.f_1px = f_1px(rows);
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
@@ -177,15 +173,6 @@ void summarise_costs(const Rows& rows, MethodSummary& summary) {
     }
 }
 
-/// Rows that did not fail, of one method.
-Rows good_rows(const std::vector<harness::Row>& rows, const std::string& method) {
-    Rows good;
-    for (const harness::Row& row : rows) {
-        if (row.method == method && row.is_ok() && row.f_2px) good.push_back(&row);
-    }
-    return good;
-}
-
 }  // namespace
 
 Counts counts_2px(const harness::Row& row) {
@@ -202,18 +189,21 @@ std::map<std::string, Counts> class_counts(const harness::Row& row) {
     return counts;
 }
 
-std::vector<Counts> counts_by_scene(const std::vector<const harness::Row*>& rows) {
-    std::vector<std::string> scenes;
-    std::vector<Counts> sums;
-    for (const harness::Row* row : rows) {
-        auto known = std::find(scenes.begin(), scenes.end(), row->scene);
-        if (known == scenes.end()) {
-            known = scenes.insert(known, row->scene);
-            sums.emplace_back();
-        }
-        sums[static_cast<std::size_t>(known - scenes.begin())] += counts_2px(*row);
+void SceneSums::add(const std::string& scene, const Counts& more) {
+    const auto known = std::find(names.begin(), names.end(), scene) - names.begin();
+    if (known == std::ssize(names)) {
+        names.push_back(scene);
+        counts.emplace_back();
     }
-    return sums;
+    counts[static_cast<std::size_t>(known)] += more;
+}
+
+Rows scored_rows(const std::vector<harness::Row>& rows, const std::string& method) {
+    Rows kept;
+    for (const harness::Row& row : rows) {
+        if (row.method == method && row.is_scored()) kept.push_back(&row);
+    }
+    return kept;
 }
 
 void add_curves(const std::vector<statistics::CellCurve>& curves,
@@ -223,14 +213,6 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
             if (summary.method == curve.ods.method) summary.curve = curve;
         }
     }
-}
-
-std::optional<double> pooled_f(const std::vector<const harness::Row*>& rows) {
-    Rows good;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(good), [](const harness::Row* row) {
-        return row->is_ok() && row->f_2px;
-    });
-    return pooled(good, counts_2px);
 }
 
 bool is_error_in_one_scene(const MethodSummary& summary) {
@@ -252,7 +234,7 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
     }
     core::parallel_for(summaries.size(), core::hardware_threads(), [&](std::size_t i) {
         MethodSummary& summary = summaries[i];
-        const Rows good = good_rows(rows, summary.method);
+        const Rows good = scored_rows(rows, summary.method);
         const auto all = std::count_if(rows.begin(), rows.end(), [&](const harness::Row& row) {
             return row.method == summary.method;
         });

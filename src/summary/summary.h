@@ -64,10 +64,6 @@ struct MethodSummary {
 /// One summary per method, in order of first appearance, the baselines last.
 [[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows);
 
-/// F of the counts of all of `rows` that did not fail, pooled; nothing if there is none. 1 where
-/// neither a pixel is drawn nor one is there.
-[[nodiscard]] std::optional<double> pooled_f(const std::vector<const harness::Row*>& rows);
-
 /// Writes what the curves say into the summaries of their methods.
 void add_curves(const std::vector<statistics::CellCurve>& curves,
                 std::vector<MethodSummary>& summaries);
@@ -79,9 +75,17 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 /// that F of these counts, 2 k / (n + n), is the recall.
 [[nodiscard]] std::map<std::string, score::CurveCount> class_counts(const harness::Row& row);
 
-/// Counts at 2 px summed over the views of each scene, in order of first appearance.
-[[nodiscard]] std::vector<score::CurveCount> counts_by_scene(
-    const std::vector<const harness::Row*>& rows);
+/// Counts summed over the views of each scene, in order of first appearance.
+struct SceneSums {
+    std::vector<std::string> names;
+    std::vector<score::CurveCount> counts;
+
+    void add(const std::string& scene, const score::CurveCount& more);
+};
+
+/// The rows of `method` that have a score.
+[[nodiscard]] std::vector<const harness::Row*> scored_rows(const std::vector<harness::Row>& rows,
+                                                           const std::string& method);
 
 /// Whether a method of the registry draws nothing by itself, but has another one draw (`auto`).
 [[nodiscard]] bool is_choice_of_others(const std::string& method);

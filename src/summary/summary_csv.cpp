@@ -17,47 +17,22 @@
 namespace ink::summary {
 namespace {
 
-/// What one class has in each scene, in order of first appearance.
-using SceneCounts = std::vector<std::pair<std::string, score::CurveCount>>;
-
-score::CurveCount& counts_of(SceneCounts& scenes, const std::string& scene) {
-    const auto known =
-        std::find_if(scenes.begin(), scenes.end(), [&](const auto& s) { return s.first == scene; });
-    if (known != scenes.end()) return known->second;
-    return scenes.emplace_back(scene, score::CurveCount{}).second;
-}
-
 /// The 95 % interval of each class's recall pooled over `rows`, which are of one method: scenes
 /// resampled with all their views, as f_interval does it with the rows' seed.
 ///
-/// A class that is there in fewer than two scenes has none; rows that failed are left out.
+/// A class that is there in fewer than six scenes has none.
 std::map<std::string, statistics::Interval> class_recall_intervals(
     const std::vector<const harness::Row*>& rows) {
-    std::map<std::string, SceneCounts> classes;
-    for (const harness::Row* row : rows) {
-        if (!row->is_ok()) continue;
+    std::map<std::string, SceneSums> classes;
+    for (const harness::Row* row : rows)
         for (const auto& [name, found] : class_counts(*row))
-            counts_of(classes[name], row->scene) += found;
-    }
+            classes[name].add(row->scene, found);
     std::map<std::string, statistics::Interval> intervals;
     for (const auto& [name, scenes] : classes) {
-        std::vector<score::CurveCount> counts;
-        for (const auto& scene : scenes)
-            counts.push_back(scene.second);
-        const auto interval = statistics::f_interval(counts, {.seed = rows.front()->seed});
+        const auto interval = statistics::f_interval(scenes.counts, {.seed = rows.front()->seed});
         if (interval) intervals[name] = *interval;
     }
     return intervals;
-}
-
-/// The rows of `method`, those that failed left out.
-std::vector<const harness::Row*> rows_of_method(const std::vector<harness::Row>& rows,
-                                                const std::string& method) {
-    std::vector<const harness::Row*> kept;
-    for (const harness::Row& row : rows) {
-        if (row.method == method && row.is_ok()) kept.push_back(&row);
-    }
-    return kept;
 }
 
 /// What a line is made from.
@@ -249,7 +224,7 @@ std::string summary_csv(const std::vector<harness::Row>& rows, const Comparison&
     for (const MethodSummary& summary : comparison.summaries) {
         Line& line =
             lines.emplace_back(Line{summary,
-                                    class_recall_intervals(rows_of_method(rows, summary.method)),
+                                    class_recall_intervals(scored_rows(rows, summary.method)),
                                     place_in(answer, summary)});
         if (!shares.empty() && !summary.is_baseline) line.answer_share = shares[lines.size() - 1];
     }
