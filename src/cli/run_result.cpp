@@ -13,7 +13,6 @@
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
 #include "harness/timing.h"
-#include "linear_code/linear_bound_study.h"
 #include "report/run_page.h"
 #include "report/text/verdict.h"
 #include "studies/axis_summary.h"
@@ -166,8 +165,6 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
         if (is_comparison(run)) print_comparison(run);
         fmt::print("{}", studies::hardest_text(run.tables.hardest));
         fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
-        if (!run.tables.bounds.empty())
-            fmt::print("{}", linear_code::bound_table(run.tables.bounds));
         fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
     }
     std::fflush(stdout);

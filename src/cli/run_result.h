@@ -6,8 +6,8 @@
 
 namespace ink::cli {
 
-/// Shows what came of a run in `folder`: the table of methods with the verdict, or that of stress
-/// or bound; every view without a score with its reason and a remedy; where page and tables are.
+/// Shows what came of a run in `folder`: the table of methods with the verdict, or that of
+/// stress; every view without a score with its reason and a remedy; where page and tables are.
 /// With `is_json` one JSON object on stdout instead of tables for people.
 ///
 /// Writes report.html, and verdict.md of a comparison, from the folder alone. Ends the program by

@@ -7,7 +7,6 @@
 #include "harness/tables/row_table.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
-#include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_study.h"
 #include "studies/axis_summary.h"
 #include "studies/axis_tables.h"
@@ -28,7 +27,7 @@ harness::TableInfo run_record() {
         "What was asked of the run, and which build and machine answered. Not a table: these are "
         "its keys.",
         {{"name", "", "of the run"},
-         {"kind", "", "compare, stress, animation, bound, hardest or tune"},
+         {"kind", "", "compare, stress, animation, hardest or tune"},
          {"command", "", "as typed, without the options that say where results go"},
          {"identity", "", "hash of all that rows depend on, the build included"},
          {"build", "", "version and commit of the program"},
@@ -98,7 +97,6 @@ std::vector<harness::TableInfo> dictionary() {
             studies::lives_table(),
             studies::creases_table(),
             studies::vanishing_table(),
-            linear_code::bound_table(),
             evaluations_table({"PARAMETER"}),  // one stands here for all that are searched
             studies::timedemo_frames_table()};
 }

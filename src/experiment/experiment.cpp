@@ -17,7 +17,7 @@ namespace ink::experiment {
 
 std::string_view name(ExperimentKind kind) {
     constexpr std::array<std::string_view, 5> kNames = {
-        "compare", "stress", "animation", "bound", "hardest"};
+        "compare", "stress", "animation", "hardest"};
     return kNames.at(static_cast<std::size_t>(kind));
 }
 

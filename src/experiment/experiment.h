@@ -19,23 +19,15 @@
 namespace ink::experiment {
 
 /// What is computed: `compare` draws methods on views, and may study motion, scaling and skips
-/// beside; `stress` draws along axes of difficulty; `animation` on sequences; `bound` searches the
-/// best weights of a linear code; `hardest` the views on which a method is worst.
-enum class ExperimentKind { compare, stress, animation, bound, hardest };
+/// beside; `stress` draws along axes of difficulty; `animation` on sequences; `hardest` searches
+/// the views on which a method is worst.
+enum class ExperimentKind { compare, stress, animation, hardest };
 
-/// "compare", "stress", "animation", "bound", "hardest": as files and run.toml have it.
+/// "compare", "stress", "animation", "hardest": as files and run.toml have it.
 [[nodiscard]] std::string_view name(ExperimentKind kind);
 
 /// Of which views a comparison keeps images: none, the first of each scene, or all.
 enum class KeptImages { none, first, all };
-
-/// What a bound is asked for, beside the method (linear_bound.h).
-struct BoundRequest {
-    bool is_signed = false;       ///< weights below 0 too
-    int least_threshold = 0;      ///< codes; 0: the least that the filter draws
-    double gap = 0.005;           ///< the search stops where upper and found are this close,
-    std::int64_t boxes = 100000;  ///< or after so many boxes of weights
-};
 
 /// What a search for the hardest views is asked for (studies/hardest/hardest_view.h). All of these
 /// methods take part, so that the views that are found show them all.
@@ -97,7 +89,6 @@ struct Experiment {
     bool study_motion = false;   ///< compare: the sequences and the roll of an animation, too
     bool study_scaling = false;  ///< compare: scaling_axes.h too
     bool study_skips = false;    ///< compare: skip_axes.h too
-    BoundRequest bound;
     HardestRequest hardest;
     int repetitions = 60;        ///< timed drawings, at most
     double budget_ms = 60;       ///< of drawing, after which repetitions end

@@ -107,8 +107,7 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
                                     methods::samples_per_side(antialias));  // or too large
     }
     const harness::TraceOptions trace = trace_of(experiment, cache);
-    constexpr std::array kPlanners = {
-        plan_compare, plan_stress, plan_animation, plan_bound, plan_hardest};
+    constexpr std::array kPlanners = {plan_compare, plan_stress, plan_animation, plan_hardest};
     kPlanners.at(static_cast<std::size_t>(experiment.kind))(experiment, trace, plan);
     if (plan.blocks.empty()) {
         throw core::Error(experiment.where,

@@ -64,7 +64,7 @@ struct ModelFacts {
 /// What was asked of a run, and which build answers.
 struct RunHead {
     std::string name;
-    std::string kind;      ///< "compare", "stress", "animation", "bound", "hardest", "tune"
+    std::string kind;      ///< "compare", "stress", "animation", "hardest", "tune"
     std::string command;   ///< as the user typed it, less what says where results go; may be ""
     std::string identity;  ///< hash of all that rows depend on, the build included
     std::string build = build_text();
@@ -116,7 +116,6 @@ struct Plan : RunHead {
 void plan_compare(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
-void plan_bound(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_hardest(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 /// Blocks of every value of some axes, alone on the machine.
 void plan_axes(const std::vector<studies::Axis>& axes,

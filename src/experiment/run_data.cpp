@@ -20,7 +20,6 @@
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
-#include "linear_code/bound_tables.h"
 #include "studies/axis_tables.h"
 #include "studies/hardest/hardest_table.h"
 
@@ -71,8 +70,7 @@ std::map<std::string, harness::CsvTable> split_tables(const Texts& texts,
                              "curves.csv",
                              "sweep.csv",
                              "stress.csv",
-                             "hardest.csv",
-                             "bound.csv"})
+                             "hardest.csv"})
         if (texts.contains(name)) tables[name];
     std::vector<std::string> names;
     for (const auto& [name, csv] : tables)
@@ -138,7 +136,6 @@ RunTables parse_tables(const Texts& texts, const std::string& where) {
             faults[of.row.cell] = of.faults;
     }
     if (const auto* csv = table("hardest.csv")) run.hardest = studies::hardest_table().read(*csv);
-    if (const auto* csv = table("bound.csv")) run.bounds = linear_code::read_bounds(*csv, index);
     for (harness::RowRecord& record : records) {
         if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});
         if (record.study != harness::Study::compare) continue;

@@ -7,7 +7,6 @@
 
 #include "experiment/run_record.h"
 #include "harness/row.h"
-#include "linear_code/linear_bound_study.h"
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
 #include "studies/hardest/hardest_view.h"
@@ -21,7 +20,6 @@ struct RunTables {
     std::vector<statistics::CellCurve> curves;  ///< of the methods among them
     std::vector<harness::Row> sweep;            ///< a row per setting, method and swept view
     std::vector<studies::AxisRow> on_axes;      ///< of every study that is axes
-    std::vector<linear_code::BoundRow> bounds;
     std::vector<studies::HardestLook> hardest;  ///< of a search for the hardest views
 };
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <numbers>
 
-#include "linear_code/linear_bound_domain.h"
 #include "score/attribution.h"
 #include "truth/curve_map.h"
 
@@ -29,6 +28,14 @@ LineKind kind_of(const truth::Curve& curve) {
 }
 
 }  // namespace
+
+std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response, int edge_response) {
+    for (int laplacian = 0; laplacian <= 4 * 65535; ++laplacian) {
+        if (edge::respond(laplacian, response) >= edge_response) return laplacian;
+        if (edge::respond(-laplacian, response) >= edge_response) return laplacian;
+    }
+    return std::nullopt;
+}
 
 double silent_deviation_rad(const method::LinearCode& code, int threshold) {
     double square = 0;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "edge/laplacian.h"
 #include "method/method.h"
 #include "score/drawn_matcher.h"
 #include "score/pixel_list.h"
@@ -15,6 +16,11 @@
 #include "truth/truth.h"
 
 namespace ink::linear_code {
+
+/// The least |L| whose edge response, by either sign, is `edge_response` (1..255) or more, in
+/// codes; nothing if none is.
+[[nodiscard]] std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response,
+                                                    int edge_response);
 
 /// The largest dihedral deviation between two facets that a code and its threshold keep silent
 /// whichever way the facets lie: their normals differ by 2 sin(deviation / 2), the code by |w|

@@ -201,7 +201,6 @@ TEST(OptionTable, HoldsAndRecordsWhatEveryOptionIsGiven) {
         for (const ExperimentKind kind : {ExperimentKind::compare,
                                           ExperimentKind::stress,
                                           ExperimentKind::animation,
-                                          ExperimentKind::bound,
                                           ExperimentKind::hardest}) {
             Experiment e;
             e.kind = kind;

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_study.h"
 #include "studies/axis_tables.h"
 #include "tests/core/error_text.h"
@@ -54,34 +53,6 @@ TEST(CancellationTable, ALineHasTheKindAndItsCounts) {
     EXPECT_EQ(linear_code::cancellation_table().line(2, row), "2,9.5,boundary,,,60,5,4,3,2,1\n");
 }
 
-TEST(BoundTable, ReadsAndWritesTheSameBytes) {
-    harness::RandomValues any(7);
-    const std::vector<harness::RowRecord> rows = harness::random_rows(any, 20);
-    std::string lines;
-    for (const harness::RowRecord& row : rows) {
-        linear_code::BoundRow bound;
-        bound.views = any.small();
-        bound.measured = {any.small(), any.small(), any.small()};
-        if (any.coin()) bound.modelled = {any.small(), any.small(), any.small()};
-        bound.bound.f_upper = any.share();
-        bound.bound.f_found = any.share();
-        for (double& weight : bound.bound.weights)
-            weight = any.real();
-        bound.bound.count = {any.small(), any.small(), any.small()};
-        bound.bound.boxes = any.count();
-        lines += linear_code::bound_table().line(row.cell, bound);
-    }
-    const auto read = linear_code::read_bounds(harness::file_of(linear_code::bound_table(), lines),
-                                               harness::RowIndex(rows));
-    ASSERT_EQ(read.size(), rows.size());
-    std::string again;
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        again += linear_code::bound_table().line(rows[i].cell, read[i]);
-        EXPECT_EQ(read[i].scene, rows[i].row.scene);
-    }
-    EXPECT_EQ(again, lines);
-}
-
 TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
     const std::vector<harness::RowRecord> rows = {{1, harness::Study::compare, {}}};
     const harness::RowIndex index(rows);
@@ -93,11 +64,6 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
     EXPECT_TRUE(is_refused(core::error_text([&] {
         (void)studies::read_faults(
             harness::file_of(studies::faults_table(), studies::faults_table().line(9, {})), index);
-    })));
-    EXPECT_TRUE(is_refused(core::error_text([&] {
-        (void)linear_code::read_bounds(
-            harness::file_of(linear_code::bound_table(), linear_code::bound_table().line(9, {})),
-            index);
     })));
 }
 

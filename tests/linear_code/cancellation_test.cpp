@@ -115,6 +115,13 @@ CancellationCount crease_total(const std::vector<CancellationRow>& rows) {
     return count;
 }
 
+TEST(ThresholdInCodes, OfMote4IsTheLeastThatItsTwoClippedBitsDraw) {
+    const auto code = *methods::find_method("mote4").make({})->code();
+    EXPECT_EQ(threshold_in_codes(code.response, 1), 4);
+    EXPECT_EQ(threshold_in_codes(code.response, 6), 8);
+    EXPECT_EQ(threshold_in_codes({.scale_bits = -15}, 8), std::nullopt);
+}
+
 TEST(Cancellation, OnCreasesOfEveryAnglePredictedAndMeasuredMissesAgree) {
     const RoofImage fan = crease_fan();
     const auto rows = study(fan.scene, {fan.view}, motes(), 5);

@@ -108,7 +108,7 @@ TEST(Help, CallsNoArgumentLikeAnOption) {
 
 TEST(Help, LongWorkCanBeQuiet) {
     for (const char* command :
-         {"compare", "advise", "truth", "figures", "timedemo", "tune", "stress", "run", "bound"})
+         {"compare", "advise", "truth", "figures", "timedemo", "tune", "stress", "run"})
         EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-q,--quiet")) << command;
 }
 

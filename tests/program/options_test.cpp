@@ -75,21 +75,20 @@ TEST(SceneOption, ModelFilesStandInListsAndGlobsToo) {
     const Desk desk;
     for (const char* name : {"one.obj", "two.obj", "a, b.obj"})
         desk.write(name, kTriangleObj);
-    const Words bound = "bound --size 64x36 --views 1 --force";
-    const std::string both = expect_done(desk, bound + "one.obj two.obj");
-    EXPECT_THAT(both, AllOf(HasSubstr("\none "), HasSubstr("\ntwo ")));
-    EXPECT_EQ(expect_done(desk, bound + "--scenes one.obj,two.obj"), both);
-    EXPECT_EQ(expect_done(desk, bound + "--scene ???.obj"), both);
-    EXPECT_THAT(expect_done(desk, bound + Words{"a, b.obj"}), HasSubstr("\na, b "));
+    const Words plan = "compare --methods mote4 --size 64x36 --dry-run";
+    const std::string both = expect_done(desk, plan + "one.obj two.obj");
+    EXPECT_THAT(both, AllOf(HasSubstr(" one view0 "), HasSubstr(" two view0 ")));
+    EXPECT_EQ(expect_done(desk, plan + "--scenes one.obj,two.obj"), both);
+    EXPECT_EQ(expect_done(desk, plan + "--scene ???.obj"), both);
+    EXPECT_THAT(expect_done(desk, plan + Words{"a, b.obj"}), HasSubstr(" a, b view0 "));
 }
 
 TEST(SceneOption, EveryCommandTakesBothWays) {
     const Desk desk;
     const std::vector<Words> commands = {
         "compare --methods mote4 --no-sweep --repetitions 1 --out out",
-        "bound",
         "figures --methods mote4 --repetitions 1 --only strips --out figures",
-        "tune --method mote4 --evaluations 2 --no-random --no-bound --force",
+        "tune --method mote4 --evaluations 2 --no-random --force",
         "advise -o a.png",
         "draw -o a.png",
         "truth -o b.png",
@@ -139,7 +138,7 @@ TEST(MethodOption, AllSpellingsMeanTheSame) {
 
 TEST(MethodOption, UnknownNamesListWhatThereIs) {
     const Desk desk;
-    for (const char* command : {"compare", "explain", "figures", "timedemo", "stress", "bound"}) {
+    for (const char* command : {"compare", "explain", "figures", "timedemo", "stress"}) {
         expect_refused(desk,
                        {command, "--methods", "sobl"},
                        {"--method", "sobl", "decaudin", "did you mean sobel?"});
@@ -164,19 +163,19 @@ TEST(DemoOption, IsADozenScenesUnlessOthersAreNamed) {
 
 TEST(OutOption, IsSpeltTwoWaysEverywhere) {
     const Desk desk;
-    expect_done(desk, "bound cube --size 64x36 --out a/b");
-    expect_done(desk, "bound cube --size 64x36 -o c");
-    EXPECT_EQ(desk.read("a/b/bound.csv"), desk.read("c/bound.csv"));
-    EXPECT_NE(desk.read("c/bound.csv"), "");
-    for (const char* command :
-         {"compare", "figures", "timedemo", "tune", "stress", "run", "merge", "bound"})
+    const Words compare = "compare cube --methods ids --no-sweep --no-times --size 64x36";
+    expect_done(desk, compare + "--out a/b");
+    expect_done(desk, compare + "-o c");
+    EXPECT_EQ(desk.read("a/b/rows.csv"), desk.read("c/rows.csv"));
+    EXPECT_NE(desk.read("c/rows.csv"), "");
+    for (const char* command : {"compare", "figures", "timedemo", "tune", "stress", "run", "merge"})
         EXPECT_THAT(desk.run({command, "--help"}).out, HasSubstr("-o,--out DIR")) << command;
 }
 
 TEST(RecordedCommand, CanBePastedIntoAShell) {
     const Desk desk;
     expect_done(desk,
-                "tune mote4 --scenes cub* --size 64x36 --evaluations 2 --no-random --no-bound "
+                "tune mote4 --scenes cub* --size 64x36 --evaluations 2 --no-random "
                 "--quiet --out out");
     EXPECT_THAT(desk.read("out/mote4_tuned.toml"),
                 AllOf(HasSubstr("inkbench tune mote4"),

@@ -87,10 +87,10 @@ void expect_refused(const Desk& desk, const Words& words, const Words& parts);
 
 /// Every command.
 inline constexpr const char* kCommands[] = {
-    "compare",      "advise",     "draw", "truth",       "score", "explain",
-    "figures",      "timedemo",   "tune", "stress",      "run",   "merge",
-    "bound",        "report",     "page", "diff",        "bake",  "export",
-    "entrant-test", "new-method", "list", "completions", "help"};
+    "compare",    "advise",   "draw",        "truth",  "score",  "explain",
+    "figures",    "timedemo", "tune",        "stress", "run",    "merge",
+    "report",     "page",     "diff",        "bake",   "export", "entrant-test",
+    "new-method", "list",     "completions", "help"};
 
 /// A cube and a triangle as model files.
 inline constexpr const char* kCubeObj =

@@ -89,15 +89,13 @@ TEST(EmptyView, ChangesNoNumberOfTheOthers) {
     EXPECT_THAT(desk.read("out/report.html"), HasSubstr("empty: no line of the scene"));
 }
 
-TEST(EmptyView, IsNothingToSearchOrToBound) {
+TEST(EmptyView, IsNothingToSearch) {
     const Desk desk;
     desk.write("thing.obj", kCubeObj);
-    for (const std::string words :
-         {"tune mote4 thing.obj --evaluations 4 --out t", "bound thing.obj --out b"}) {
-        const Outcome outcome = desk.run(words + " --size 160x90 --eye 0,0,5 --target 0,0,10");
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("thing eye0: empty: no line of the scene"));
-    }
+    const Outcome outcome =
+        desk.run("tune mote4 thing.obj --evaluations 4 --size 160x90 --eye 0,0,5 --target 0,0,10");
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("thing eye0: empty: no line of the scene"));
 }
 
 TEST(CrowdedView, IsSaidAndIsNoFailure) {

@@ -28,7 +28,6 @@ namespace ink::cli {
     X(page) \
     X(diff) \
     X(merge) \
-    X(bound) \
     X(bake) \
     X(export) \
     X(entrant_test) \

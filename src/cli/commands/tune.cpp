@@ -23,7 +23,6 @@
 #include "report/run_page.h"
 #include "search/search.h"
 #include "tune/tune.h"
-#include "tune/tune_bound.h"
 #include "tune/tune_objective.h"
 #include "tune/tune_report.h"
 
@@ -48,7 +47,6 @@ struct TuneArgs {
     std::string global = "crs";
     std::string local = "sbplx";
     bool no_random = false;
-    bool no_bound = false;
     SceneOptions scenes;
     std::vector<std::string> unseen;
     ViewOptions views;
@@ -60,14 +58,8 @@ struct TuneArgs {
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
-const std::vector<std::string> kUnrecorded = {"--no-random",
-                                              "--no-bound",
-                                              "--out",
-                                              "--force",
-                                              "--threads",
-                                              "--cache",
-                                              "--no-cache",
-                                              "--help"};
+const std::vector<std::string> kUnrecorded = {
+    "--no-random", "--out", "--force", "--threads", "--cache", "--no-cache", "--help"};
 
 /// `METHOD SCENE...`, or `--method METHOD SCENE...`.
 std::string method_of(const TuneArgs& args) {
@@ -188,9 +180,6 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     report::write_run_page({experiment::read_run(options.out)}, page);
     fmt::print("report: {}\n", page.string());
     std::fflush(stdout);
-    if (!args.no_bound) {
-        fmt::print("{}", tune::tune_bound_lines(scenes, result, options));
-    }
 }
 
 }  // namespace
@@ -243,8 +232,6 @@ void add_tune_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "Skip the random search with as many evaluations");
-    command->add_flag(
-        "--no-bound", args->no_bound, "Skip the linear bound, for methods that declare a code");
     add_scene_options(*command,
                       args->scenes,
                       "Scenes or model files that take part (default: the catalogue): training "

@@ -29,9 +29,8 @@ constexpr unsigned bit(ExperimentKind kind) {
 constexpr unsigned kCompare = bit(ExperimentKind::compare);
 constexpr unsigned kStress = bit(ExperimentKind::stress);
 constexpr unsigned kAnimation = bit(ExperimentKind::animation);
-constexpr unsigned kBound = bit(ExperimentKind::bound);
 constexpr unsigned kHardest = bit(ExperimentKind::hardest);
-constexpr unsigned kTimed = kCompare | kStress | kBound;
+constexpr unsigned kTimed = kCompare | kStress;
 constexpr unsigned kAll = kTimed | kAnimation | kHardest;
 
 constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
@@ -178,11 +177,11 @@ OptionTable make_table() {
         [](E& e, const Given& given) { e.seed = parse_seed(given.front()); },
         [](const E& e) { return Texts{fmt::format("{}", e.seed)}; });
 
-    in(kCompare | kAnimation | kBound | kHardest).texts(
+    in(kCompare | kAnimation | kHardest).texts(
         {.name = "grid.scenes", .kind = Kind::list, .unit = "SCENE",
          .doc = "Built-in scenes or model files; train, heldout or catalogue"},
         read_scenes, names_text<&E::scenes>);
-    in(kCompare | kBound).number(
+    in(kCompare).number(
         &E::views, "grid.views", {1, 360}, "N", "Views of each scene, the first N");
     in(kAll).texts(
         {.name = "grid.methods", .kind = Kind::list, .unit = "METHOD",
@@ -208,7 +207,7 @@ OptionTable make_table() {
          .doc = "Threads a method may use while it is timed"},
         read_threads, threads_text);
     table.options.back().is_once = true;
-    in(kCompare | kAnimation | kBound | kHardest, "--model-list").texts(
+    in(kCompare | kAnimation | kHardest, "--model-list").texts(
         {.name = "grid.model_list", .kind = Kind::text, .unit = "FILE",
          .doc = "Says of model files which kind of thing they are, and on which settings were "
                 "found: a TOML file like experiments/models.toml"},
@@ -221,12 +220,12 @@ OptionTable make_table() {
                 "averaged; of several each is a method of its own, NAME_resolve4 (default: none)"},
         [](E& e, const Given& given) { e.antialias = methods::parse_antialias(given); },
         antialias_text);
-    in(kCompare | kAnimation | kBound | kHardest).choice(
+    in(kCompare | kAnimation | kHardest).choice(
         [](auto& e) -> auto& { return e.view_request.model.material_seams; },
         "grid.seams", {"objects", "materials"},
         "Where a smooth surface has seams: between objects of a model file, or between their "
         "materials, too");
-    in(kCompare | kAnimation | kBound).texts(
+    in(kCompare | kAnimation).texts(
         {.name = "grid.projections", .kind = Kind::list,
          .choices = {scene::kProjectionNames.begin(), scene::kProjectionNames.end()},
          .unit = "NAMES",
@@ -352,19 +351,6 @@ OptionTable make_table() {
     in(kHardest, "--worst").number(
         [](auto& e) -> auto& { return e.hardest.worst; }, "search.worst", {1, 100}, "N",
         "Views that are kept of each scene and method, 10 degrees apart at least");
-
-    in(kBound, "--signed").flag(
-        [](auto& e) -> auto& { return e.bound.is_signed; }, "bound.signed",
-        "Allow negative weights");
-    in(kBound, "--least-threshold").number(
-        [](auto& e) -> auto& { return e.bound.least_threshold; }, "bound.least_threshold",
-        {0, 4 * 65535}, "CODES", "Least threshold in codes (0: the least that the filter draws)");
-    in(kBound, "--gap").number(
-        [](auto& e) -> auto& { return e.bound.gap; }, "bound.gap", {0, 1}, "F",
-        "Stop when upper and found are this close");
-    in(kBound, "--boxes").number(
-        [](auto& e) -> auto& { return e.bound.boxes; }, "bound.boxes", {1, 1e9}, "N",
-        "Stop after this many boxes of weights");
     // clang-format on
     return table;
 }

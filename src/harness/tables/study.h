@@ -11,7 +11,6 @@ struct Study {
     static constexpr const char* roll = "roll";
     static constexpr const char* scaling = "scaling";
     static constexpr const char* skips = "skips";
-    static constexpr const char* bound = "bound";
     static constexpr const char* tune = "tune";
 };
 

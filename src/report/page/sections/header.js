@@ -29,7 +29,7 @@ function extentNote(view, more) {
 
 function runWords(run) {
     const words = {stress: 'How errors grow along axes of difficulty.', animation: 'How methods behave in motion.',
-                   tune: 'A search for better settings.', bound: 'The best that four weights could reach.',
+                   tune: 'A search for better settings.',
                    hardest: 'The views on which a method is worst: a promise is no better than its worst view.'};
     return words[run.record.kind] || '';
 }
