@@ -12,7 +12,6 @@
 #include "studies/axis_tables.h"
 #include "studies/hardest/hardest_table.h"
 #include "studies/motion_table.h"
-#include "studies/roll_axis.h"
 #include "studies/timedemo.h"
 #include "summary/cost_model.h"
 #include "summary/paired_differences.h"
@@ -95,8 +94,6 @@ std::vector<harness::TableInfo> dictionary() {
             studies::hardest_table(),
             studies::motion_table(),
             studies::lives_table(),
-            studies::creases_table(),
-            studies::vanishing_table(),
             evaluations_table({"PARAMETER"}),  // one stands here for all that are searched
             studies::timedemo_frames_table()};
 }

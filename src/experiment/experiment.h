@@ -76,7 +76,6 @@ struct Experiment {
         {};                              ///< stress: made by code, beside (or instead of) these
     int points = 0;                      ///< values of an axis, at most; 0: all
     int frames = 48;                     ///< of a sequence
-    bool roll = true;                    ///< animation: the cube roll too
     std::vector<std::string> settings;   ///< key=value or method.key=value
     std::vector<SettingGrid> grids;      ///< sweep.csv
     int own_sweep_views = 0;             ///< sweep.csv: each method's own, on the first views
@@ -86,7 +85,7 @@ struct Experiment {
     double weld_epsilon = 0;  ///< of the truth, share of each part's diagonal
     score::Intersections intersections = score::Intersections::above_crease;  ///< that count
     KeptImages images = KeptImages::first;
-    bool study_motion = false;   ///< compare: the sequences and the roll of an animation, too
+    bool study_motion = false;   ///< compare: the sequences of an animation, too
     bool study_scaling = false;  ///< compare: scaling_axes.h too
     bool study_skips = false;    ///< compare: skip_axes.h too
     HardestRequest hardest;

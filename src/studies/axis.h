@@ -3,17 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <glm/mat4x4.hpp>
-#include <map>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/param.h"
 #include "harness/suite.h"
 #include "harness/tables/study.h"
-#include "harness/tables/table.h"
 #include "harness/view_cells.h"
 #include "method/method_config.h"
 #include "raster/skips.h"
@@ -80,26 +76,6 @@ struct CaseFaults {
     void add(const CaseFaults& more);
 };
 
-/// Tables by name, as lines.
-using Lines = std::map<std::string, std::string>;
-
-/// Sees the images of an axis, and writes side tables about them.
-class AxisObserver {
-  public:
-    AxisObserver() = default;
-    virtual ~AxisObserver() = default;
-    AxisObserver(const AxisObserver&) = delete;
-    AxisObserver& operator=(const AxisObserver&) = delete;
-
-    /// What was drawn of a case, scored; [i] is cell `first_cell` + i.
-    virtual void see(const Case& one,
-                     const harness::TracedView& traced,
-                     std::span<const harness::Evaluation> drawn,
-                     std::int64_t first_cell) = 0;
-    /// The lines about all that it saw.
-    [[nodiscard]] virtual Lines lines() = 0;
-};
-
 /// One thing that grows, and what is drawn as it does: a study is some of these, and nothing else.
 /// The engine draws every case with every method, traces, scores, compares and writes rows.
 struct Axis {
@@ -128,12 +104,9 @@ struct Axis {
     /// What methods may skip at a value, where the axis is just that: the cases of the first value
     /// are then drawn for every value, a method's cells in turns.
     std::function<raster::SkipSet(double value)> allowed = {};
-    /// Makes what sees all images of the axis, if it has one, and the tables that this writes.
-    std::function<std::unique_ptr<AxisObserver>()> observer = {};
-    std::vector<harness::TableInfo> tables = {};
 
     /// Whether its values are looked at together.
-    [[nodiscard]] bool is_whole() const { return same_images || allowed || observer; }
+    [[nodiscard]] bool is_whole() const { return same_images || allowed; }
 };
 
 /// At most `count` (two at least) of an axis' values, evenly taken, first and last among them.

@@ -134,9 +134,7 @@ int rows_of_case(const Axis& axis, std::size_t configs) {
 std::vector<AxisRow> axis_rows(const Axis& axis,
                                const Case& one,
                                const std::vector<method::MethodConfig>& configs,
-                               const harness::CellOptions& options,
-                               AxisObserver* observer,
-                               std::int64_t first_cell) {
+                               const harness::CellOptions& options) {
     std::optional<core::ForcedSimdTarget> forced;
     for (const core::SimdTarget& target : core::simd_targets()) {
         if (target.name == one.simd_target) forced.emplace(target);
@@ -145,7 +143,6 @@ std::vector<AxisRow> axis_rows(const Axis& axis,
     work.trace();
     work.draw(configs);
     work.finish();
-    if (observer != nullptr) observer->see(one, work.traced(), work.evaluations(), first_cell);
     return work.rows();
 }
 

@@ -23,13 +23,10 @@ struct AxisRow {
 ///
 /// A method that throws is a row whose status says so. Where nothing is timed, rows hold no times:
 /// they are the same bytes on every machine. Of `options`, repetitions and budget are not read.
-/// `observer`, if there is one, sees what was drawn; `first_cell` is the number of the first row.
 [[nodiscard]] std::vector<AxisRow> axis_rows(const Axis& axis,
                                              const Case& one,
                                              const std::vector<method::MethodConfig>& configs,
-                                             const harness::CellOptions& options,
-                                             AxisObserver* observer = nullptr,
-                                             std::int64_t first_cell = 0);
+                                             const harness::CellOptions& options);
 
 /// Marks the rows of an axis that allows no difference whose image is not that of the first value
 /// (of its scene and method): a fault, and no result.

@@ -17,6 +17,15 @@
 namespace ink::studies {
 namespace {
 
+/// A truth as motion is scored against: ignored pixels taken out and thinned again as everywhere,
+/// but with no band (see score::motion_frame).
+score::ScoringTruth unbanded_truth(const truth::Truth& traced, score::Intersections intersections) {
+    score::ScoreOptions options = harness::score_options(1);
+    options.band_px = 0;
+    return score::prepare_truth(
+        score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
+}
+
 constexpr double kStep_px = 0.25;
 
 /// One method's images of a sequence as they are scored, and the row that they come to.
@@ -206,13 +215,6 @@ Sequence sequence_of_motion(const std::string& name, scene::View size) {
 }
 
 }  // namespace
-
-score::ScoringTruth unbanded_truth(const truth::Truth& traced, score::Intersections intersections) {
-    score::ScoreOptions options = harness::score_options(1);
-    options.band_px = 0;
-    return score::prepare_truth(
-        score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
-}
 
 std::vector<MotionRow> study_sequence(const std::vector<method::MethodConfig>& configs,
                                       Sequence& sequence,

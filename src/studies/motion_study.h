@@ -21,11 +21,6 @@ struct Sequence {
     std::function<void(scene::Scene&, double time_s)> pose = {};
 };
 
-/// A truth as motion is scored against: ignored pixels taken out and thinned again as everywhere,
-/// but with no band (see score::motion_frame).
-[[nodiscard]] score::ScoringTruth unbanded_truth(const truth::Truth& traced,
-                                                 score::Intersections intersections);
-
 /// Draws every frame of a sequence with every configuration and scores them against their truths
 /// and each other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per
 /// configuration, then the baselines `sampled`, `exact_corner` and `oracle`. Nothing is timed, and

@@ -11,11 +11,9 @@
 #include <set>
 
 #include "studies/axis_tables.h"
-#include "studies/roll_axis.h"
 #include "studies/stress/stress_axes.h"
 #include "studies/stress/stress_counts.h"
 #include "tests/harness/skipping_method.h"
-#include "tests/studies/roll_lines.h"
 
 namespace ink::studies {
 namespace {
@@ -203,33 +201,6 @@ TEST(StressFp32, RoundsWhatMethodsAreGivenAndNotTheTruth) {
     EXPECT_EQ(hashes(exact, "oracle"), hashes(rounded, "oracle"));
     for (const auto& [scene, hash] : hashes(exact, "ids"))
         EXPECT_NE(hashes(rounded, "ids").at(scene), hash) << scene;
-}
-
-TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
-    const auto configs = methods::make_configs("mote4", {});
-    const Axis turn = roll_axis(configs, {.angles = 36});
-    const auto observer = turn.observer();
-    std::map<std::int64_t, bool> is_blind;  // by angle
-    for (int step = 0; step < 36; ++step)
-        (void)axis_rows(
-            turn, turn.cases(10 * step, {}).front(), configs, {}, observer.get(), 10 * step);
-    for (const RollSampleLine& line : creases_in(observer->lines()))
-        is_blind[line.cell] = is_blind[line.cell] || line.is_blind;
-    double blind = 0;
-    double seeing = 0;
-    int blind_count = 0;
-    int seeing_count = 0;
-    for (const auto& [angle_deg, is] : is_blind) {
-        const Axis& cubes = find_stress_axis("cube_roll");
-        const Case cube = cubes.cases(static_cast<double>(angle_deg), {240, 240}).front();
-        const double error = 1 - axis_rows(cubes, cube, configs, {}).front().row.f_2px.value();
-        (is ? blind : seeing) += error;
-        ++(is ? blind_count : seeing_count);
-    }
-    ASSERT_GT(blind_count, 2);
-    ASSERT_GT(seeing_count, 2);
-    // One crease of nine edges is lost: a ninth of the lines or so.
-    EXPECT_GT(blind / blind_count, seeing / seeing_count + 0.04);
 }
 
 /// A method whose declared code fits a byte (or not), and whose pixels are sums of 250, 255, 256,

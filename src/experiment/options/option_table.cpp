@@ -244,7 +244,6 @@ OptionTable make_table() {
         {scene::kProjectionNames.begin(), scene::kProjectionNames.end()},
         "How all cameras look");
     in(kAnimation).number(&E::frames, "grid.frames", {2, 10000}, "N", "Frames of a sequence");
-    in(kAnimation).flag(&E::roll, "grid.roll", "The cube roll too");
 
     in(kTimed, "--repetitions").number(
         &E::repetitions, "measure.repetitions", {1, 10000}, "N",
@@ -316,9 +315,8 @@ OptionTable make_table() {
         "and plots, about a minute");
     in(kCompare, "--motion").flag(
         &E::study_motion, "study.motion",
-        "Also draw sequences in which the camera moves slowly, and a cube before a camera that "
-        "rolls: flicker, pops, lives of false lines; motion.csv, rows of study roll, "
-        "vanishing.csv and plots, about a minute");
+        "Also draw sequences in which the camera moves slowly: flicker, pops, lives of false "
+        "lines; motion.csv and plots, about a minute");
     in(kCompare, "--skip-study").flag(
         &E::study_skips, "study.skips",
         "Also measure how much time each skip saves, on scenes made for it: rows of study skips "

@@ -9,7 +9,6 @@
 #include "harness/tables/row_table.h"
 #include "studies/motion_study.h"
 #include "studies/motion_table.h"
-#include "studies/roll_axis.h"
 
 namespace ink::experiment {
 namespace {
@@ -100,7 +99,6 @@ void plan_animation(const Experiment& experiment, const harness::TraceOptions& t
     plan.add_table(studies::motion_table());
     plan.add_table(studies::lives_table());
     plan_sequences(experiment, stage, plan);
-    if (experiment.roll) plan_axes({studies::roll_axis(stage->configs)}, experiment, trace, plan);
 }
 
 }  // namespace ink::experiment

@@ -66,21 +66,17 @@ BlockResult run_values(const Stage& stage,
                        const std::vector<double>& values,
                        std::int64_t first_cell) {
     const studies::Axis& axis = stage.axis;
-    const auto observer = axis.observer ? axis.observer() : nullptr;
     std::vector<studies::AxisRow> rows;
     for (const double value : values) {
         for (const studies::Case& one : cases_of(stage, value)) {
             if (core::is_interrupted()) return {};
-            const auto cell = first_cell + static_cast<std::int64_t>(rows.size());
-            auto more =
-                studies::axis_rows(axis, one, stage.configs, stage.options, observer.get(), cell);
+            auto more = studies::axis_rows(axis, one, stage.configs, stage.options);
             std::move(more.begin(), more.end(), std::back_inserter(rows));
         }
         if (axis.allowed) break;  // its cells are of every value
     }
     studies::note_differences(axis, rows);
     BlockResult result;
-    if (observer) result.lines = observer->lines();
     std::int64_t cell = first_cell;
     for (const studies::AxisRow& of : rows) {
         result.lines["rows.csv"] += harness::row_line(cell, axis.study, of.row);
@@ -115,8 +111,6 @@ void plan_axis(const std::shared_ptr<Stage>& stage, int points, Plan& plan) {
     const studies::Axis& axis = stage->axis;
     plan.add_table(harness::rows_table());
     if (axis.counts_faults) plan.add_table(studies::faults_table());
-    for (const harness::TableInfo& table : axis.tables)
-        plan.add_table(table);
     const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
     const double cell_s = 0.01 + 0.05 * mpx + (axis.repetitions > 0 ? axis.budget_s / 2 : 0);
     const int rows = studies::rows_of_case(axis, stage->configs.size()) * cases_of_value(*stage);
@@ -144,8 +138,8 @@ void plan_axes(const std::vector<studies::Axis>& axes,
         const auto stage = std::make_shared<Stage>();
         stage->axis = axis;
         if (!experiment.times) stage->axis.repetitions = 0;
-        stage->configs = axis.repetitions > 0 || axis.observer ? timed_configs_of(experiment)
-                                                               : configs_of(experiment);
+        stage->configs =
+            axis.repetitions > 0 ? timed_configs_of(experiment) : configs_of(experiment);
         stage->options = {{}, trace, experiment.seed};
         stage->options.trace.truth.threads = core::hardware_threads();
         stage->options.trace.crosscheck = experiment.crosscheck;

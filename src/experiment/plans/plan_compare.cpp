@@ -194,7 +194,6 @@ Experiment motion_beside(Experiment experiment) {
     experiment.scenes.clear();
     experiment.sizes = {kMotionSize};
     experiment.frames = kMotionFrames;
-    experiment.roll = true;
     experiment.threads = {experiment.threads.front()};
     return experiment;
 }

@@ -3,11 +3,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "catalogue/shapes.h"
 #include "scene/views/camera_path.h"
-#include "studies/roll_axis.h"
 #include "studies/stress/stress_cases.h"
 
 namespace ink::studies {
@@ -111,9 +111,18 @@ glm::dvec3 nearest_vertex(const scene::Scene& scene, const glm::dvec3& eye_world
     return nearest;
 }
 
+/// The scene before a camera that has rolled by the point's degrees.
 Case rolled(const StressPoint& point, scene::Scene scene) {
-    const scene::Camera camera = rolled_camera(scene, point.value);
-    return make_case(point, std::move(scene), camera);
+    scene::View view{
+        scene::look_at(
+            {4, 3.375, 6.4375}, glm::dvec3(0), {0, 1, 0}, scene::Camera{}.fov_y_rad / 1.5),
+        1,
+        1};
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
+    scene::fit_clip_range(view.camera, bounds);
+    scene::CameraPath path = scene::make_path(scene::PathKind::roll, view, bounds, 0);
+    path.turn_rad = point.value * (std::numbers::pi / 180);
+    return make_case(point, std::move(scene), scene::frame_at(path, 1).view.camera);
 }
 
 void move_near(const StressPoint& point, Case& stress) {
@@ -168,10 +177,9 @@ void change_view_angle(const StressPoint& point, Case& stress) {
 std::vector<Case> roll_cases(const StressPoint& point) {
     const std::vector<glm::dvec2> wedge = {{-1, -1}, {1.25, -1}, {-0.25, 1}};
     std::vector<Case> cases;
-    cases.push_back(rolled(point, roll_scene()));
+    cases.push_back(rolled(point, scene_of("cube", catalogue::make_box({-1, -1, -1}, {1, 1, 1}))));
     cases.push_back(rolled(point, scene_of("wedge", catalogue::extrude(wedge, {-1, 1}))));
     cases.push_back(rolled(point, scene_of("twenty_faces", catalogue::make_icosphere(1.5, 0))));
-    cases.front().scene_views.scene.name = "cube";
     return cases;
 }
 
