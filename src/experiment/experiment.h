@@ -18,7 +18,7 @@
 
 namespace ink::experiment {
 
-/// What is computed: `compare` draws methods on views, and may study motion, scaling and skips
+/// What is computed: `compare` draws methods on views, and may study motion and scaling
 /// beside; `stress` draws along axes of difficulty; `animation` on sequences; `hardest` searches
 /// the views on which a method is worst.
 enum class ExperimentKind { compare, stress, animation, hardest };
@@ -87,7 +87,6 @@ struct Experiment {
     KeptImages images = KeptImages::first;
     bool study_motion = false;   ///< compare: the sequences of an animation, too
     bool study_scaling = false;  ///< compare: scaling_axes.h too
-    bool study_skips = false;    ///< compare: skip_axes.h too
     HardestRequest hardest;
     int repetitions = 60;        ///< timed drawings, at most
     double budget_ms = 60;       ///< of drawing, after which repetitions end

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/mat4x4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -108,37 +107,13 @@ inline constexpr std::size_t kTrianglesAtOnce = 1'500'000;
 [[nodiscard]] std::size_t most_at_once(const scene::Scene& scene,
                                        std::size_t triangles_at_once = kTrianglesAtOnce);
 
-/// A method that takes turns with others, and what it may skip.
-struct Turn {
-    PreparedMethod* method = nullptr;
-    raster::SkipSet skips;
-};
-
-/// What is drawn in a turn: a view, or frames of it in which the first instance moves.
-struct Shot {
-    const scene::View& view;
-    const scene::Scene* scene = nullptr;  ///< that the methods are ready for, if something moves
-    std::span<const glm::dmat4> poses = {};
-};
-
-/// Draws a shot turn by turn (A B C, B C A, ...), so that a machine that slows down slows all
+/// Draws a view turn by turn (A B C, B C A, ...), so that a machine that slows down slows all
 /// alike, and none always follows the same one; the first round warms up, gives the images and is
 /// not counted. Between the turns a fixed piece of work is timed (Yardstick).
 ///
-/// `images[i]` and the result's [i] are of turn i. A method that throws, or whose images
+/// `images[i]` and the result's [i] are of method i. A method that throws, or whose images
 /// differ between rounds, gets a failure and is left out of later rounds; the others go on. A
-/// method from outside draws once, and its time is its own (OutsideMethod). Of several frames the
-/// image is one below the other, and the first is not timed: it follows the last of another turn.
-[[nodiscard]] std::vector<DrawTimes> draw_in_turns(std::span<const Turn> turns,
-                                                   const Shot& shot,
-                                                   const MeasureOptions& options,
-                                                   std::vector<edge::EdgeImage>& images);
-
-/// A turn for each method, allowed what the options allow.
-[[nodiscard]] std::vector<Turn> turns_of(const PreparedMethods& methods,
-                                         const MeasureOptions& options);
-
-/// The same with each method on `view`.
+/// method from outside draws once, and its time is its own (OutsideMethod).
 [[nodiscard]] std::vector<DrawTimes> draw_in_turns(const PreparedMethods& methods,
                                                    const scene::View& view,
                                                    const MeasureOptions& options,

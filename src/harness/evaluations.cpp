@@ -67,30 +67,24 @@ std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth) {
     return evaluations;
 }
 
-std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
-                                           const Shot& shot,
+std::vector<Evaluation> method_evaluations(const PreparedMethods& methods,
+                                           const scene::View& view,
                                            const MeasureOptions& measure) {
     std::vector<edge::EdgeImage> images;
-    std::vector<DrawTimes> times = draw_in_turns(turns, shot, measure, images);
-    std::vector<Evaluation> evaluations(turns.size());
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-        PreparedMethod& method = *turns[i].method;
+    std::vector<DrawTimes> times = draw_in_turns(methods, view, measure, images);
+    std::vector<Evaluation> evaluations(methods.size());
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        PreparedMethod& method = *methods[i];
         evaluations[i].row = method.row();
         evaluations[i].image = std::move(images[i]);
         evaluations[i].threshold = method.threshold();
         evaluations[i].is_grey = method.config().is_grey || method.config().is_outside;
         if (method.failure().empty()) evaluations[i].code = method.method().code();
         if (!times[i].failure.empty()) evaluations[i].row.status = times[i].failure;
-        fill_skips(times[i], turns[i].skips, evaluations[i].row);
+        fill_skips(times[i], measure.skips, evaluations[i].row);
         fill_times(times[i], evaluations[i].row);
     }
     return evaluations;
-}
-
-std::vector<Evaluation> method_evaluations(const PreparedMethods& methods,
-                                           const scene::View& view,
-                                           const MeasureOptions& measure) {
-    return method_evaluations(turns_of(methods, measure), {view}, measure);
 }
 
 void attribute_evaluations(const ViewTruth& truth,

@@ -34,11 +34,7 @@ struct Evaluation {
 
 inline constexpr int kBaselines = 4;
 
-/// Draws and times every turn of a shot. A method that fails is an evaluation whose row says so.
-[[nodiscard]] std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
-                                                         const Shot& shot,
-                                                         const MeasureOptions& measure);
-/// The same with each method on `view`.
+/// Draws and times each method on `view`. One that fails is an evaluation whose row says so.
 [[nodiscard]] std::vector<Evaluation> method_evaluations(const PreparedMethods& methods,
                                                          const scene::View& view,
                                                          const MeasureOptions& measure);

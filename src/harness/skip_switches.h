@@ -9,7 +9,7 @@ namespace ink::harness {
 
 /// What is allowed where one view is drawn again and again to be timed: all skips but
 /// `temporal_reuse`. With it, every drawing but the first would cost next to nothing, which is no
-/// method's time for that view; what it saves is measured on a sequence (studies/skip_axes.h).
+/// method's time for that view.
 [[nodiscard]] raster::SkipSet skips_of_repeated_drawings();
 
 /// `allowed` without the skips of these names; "all" is every one. Throws core::Error

@@ -33,7 +33,7 @@ std::vector<std::int64_t> only(const std::vector<core::Spent>& draws,
 /// Why the times of `row`, which it has, are uncertain; "" if they are not.
 std::string doubt_of(const DrawTimes& times, const Row& row) {
     if (times.clock == kThreadClock && exceeds(*row.draw_wall_ns, *row.draw_ns)) return "waited";
-    if (times.has_alike && exceeds(*row.draw_ns_median, *row.draw_ns_min)) return "spread";
+    if (exceeds(*row.draw_ns_median, *row.draw_ns_min)) return "spread";
     return "";
 }
 

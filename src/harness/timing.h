@@ -47,10 +47,9 @@ std::int64_t time_ns(Work work, int threads = 1) {
 /// Times of one method on one view, as they were taken.
 struct DrawTimes {
     std::vector<core::Spent> draws = {};
-    std::string clock = {};    ///< that counts, by its name; "" where nothing is timed
-    bool has_alike = true;     ///< all draws are of one image, so that they should take the same
-    std::string failure = {};  ///< why there are none, or ""
-    raster::SkipCounts skips = {};  ///< of the last timed drawing; of frames, of the first round
+    std::string clock = {};         ///< that counts, by its name; "" where nothing is timed
+    std::string failure = {};       ///< why there are none, or ""
+    raster::SkipCounts skips = {};  ///< of the last timed drawing
     std::int64_t yardstick_ns = 0;  ///< lower quartile of those beside it; 0: there are none
 
     /// By the clock that counts.

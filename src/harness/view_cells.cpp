@@ -90,23 +90,16 @@ void fill_place(const scene::Scene& scene,
 }
 
 std::vector<Evaluation> draw_view(const ViewDrawings& drawings, const MeasureOptions& measure) {
-    const std::size_t turns_each = drawings.skips.size();
-    std::vector<Evaluation> drawn(drawings.methods * turns_each);
+    std::vector<Evaluation> drawn(drawings.methods);
     const std::size_t parts = (drawings.methods + drawings.at_once - 1) / drawings.at_once;
     core::parallel_for(parts, drawings.lanes, [&](std::size_t part) {
         const std::size_t first = part * drawings.at_once;
         const std::shared_ptr<PreparedMethods> methods =
             drawings.ready(first, std::min(drawings.methods, first + drawings.at_once));
-        std::vector<Turn> turns;
-        for (const auto& method : *methods) {
-            for (const raster::SkipSet& skips : drawings.skips)
-                turns.push_back({method.get(), skips});
-        }
-        std::vector<Evaluation> some = method_evaluations(turns, drawings.shot, measure);
+        std::vector<Evaluation> some = method_evaluations(*methods, drawings.view, measure);
         for (std::size_t i = 0; i < some.size(); ++i) {
-            const std::size_t n = first * turns_each + i;
-            if (drawings.see) drawings.see(n, turns[i], some[i]);
-            drawn[n] = std::move(some[i]);
+            if (drawings.see) drawings.see(first + i, *methods->at(i), some[i]);
+            drawn[first + i] = std::move(some[i]);
         }
     });
     return drawn;

@@ -38,21 +38,19 @@ struct CellOptions {
     std::optional<double> line_width_px = {};
 };
 
-/// What is drawn of a view: every method at every set of skips, as many methods in turns as are
-/// ready together.
+/// What is drawn of a view: every method, as many in turns as are ready together.
 struct ViewDrawings {
-    Shot shot;
+    const scene::View& view;
     std::size_t methods = 0;
-    std::size_t at_once = 1;             ///< methods that are ready together
-    std::vector<raster::SkipSet> skips;  ///< a method's turns
-    int lanes = 1;                       ///< how many such parts are drawn at a time
+    std::size_t at_once = 1;  ///< methods that are ready together
+    int lanes = 1;            ///< how many such parts are drawn at a time
     /// The methods from the `first` on to `end`, ready.
     std::function<std::shared_ptr<PreparedMethods>(std::size_t first, std::size_t end)> ready = {};
-    /// Sees the n-th of what is drawn while its method is there.
-    std::function<void(std::size_t n, const Turn& turn, const Evaluation& drawn)> see = {};
+    /// Sees what the n-th method drew while it is there.
+    std::function<void(std::size_t n, PreparedMethod& method, const Evaluation& drawn)> see = {};
 };
 
-/// Draws and times all: a method's sets of skips one after the other, unscored.
+/// Draws and times all, unscored.
 [[nodiscard]] std::vector<Evaluation> draw_view(const ViewDrawings& drawings,
                                                 const MeasureOptions& measure);
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <glm/mat4x4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "harness/tables/study.h"
 #include "harness/view_cells.h"
 #include "method/method_config.h"
-#include "raster/skips.h"
 #include "scene/scene.h"
 
 namespace ink::studies {
@@ -38,9 +36,8 @@ struct Case {
     /// Bits that a packed code is given instead of all of its own: ranges shrink by whole powers of
     /// two, and what the filter finds is scaled up by as many bits.
     std::optional<int> code_bits = {};
-    std::optional<int> threads = {};     ///< of the methods, instead of the measure's
-    std::string simd_target = {};        ///< of the kernels, by name; "" is the machine's best
-    std::vector<glm::dmat4> poses = {};  ///< of instance 0, frame by frame; none: it stands still
+    std::optional<int> threads = {};  ///< of the methods, instead of the measure's
+    std::string simd_target = {};     ///< of the kernels, by name; "" is the machine's best
 };
 
 /// `config` with the settings of a case; parameters that it does not have are passed over.
@@ -87,9 +84,8 @@ struct Axis {
     std::vector<std::string> value_names = {};  ///< one per value if the scale is `named`
     std::string sentence;                       ///< what is varied, and what stays
     std::string study = harness::Study::stress;
-    std::string scene = {};  ///< the one scene of its cases, if that is known
-    int cases_of_value = 0;  ///< 0: as many as the first value has, which are then made to count
-    /// Nothing that an image shows may depend on the value: images that differ are faults.
+    /// Nothing that an image shows may depend on the value: images that differ are faults. All of
+    /// its values are then looked at together.
     bool same_images = false;
     bool is_scored = true;        ///< against the truth, within 2 px; else it is only drawn
     bool is_crosschecked = true;  ///< as far as the run is
@@ -101,12 +97,6 @@ struct Axis {
     /// The cases of a value; any value between the least and the greatest will do, of named axes
     /// only those listed. The same case on every machine.
     std::function<std::vector<Case>(double value, const CaseSize& size)> cases;
-    /// What methods may skip at a value, where the axis is just that: the cases of the first value
-    /// are then drawn for every value, a method's cells in turns.
-    std::function<raster::SkipSet(double value)> allowed = {};
-
-    /// Whether its values are looked at together.
-    [[nodiscard]] bool is_whole() const { return same_images || allowed; }
 };
 
 /// At most `count` (two at least) of an axis' values, evenly taken, first and last among them.

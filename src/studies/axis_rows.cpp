@@ -15,20 +15,11 @@
 namespace ink::studies {
 namespace {
 
-/// What methods may skip in their turns of a case: at each value, where the axis is just that.
-std::vector<raster::SkipSet> turns_of(const Axis& axis, const raster::SkipSet& own) {
-    if (!axis.allowed) return {own};
-    std::vector<raster::SkipSet> turns;
-    for (const double value : axis.values)
-        turns.push_back(axis.allowed(value));
-    return turns;
-}
-
 /// A case on its way to rows.
 class CaseWork {
   public:
     CaseWork(const Axis& axis, const Case& one, const harness::CellOptions& options)
-        : axis_(axis), one_(one), options_(options), turns_(turns_of(axis, options.measure.skips)) {
+        : axis_(axis), one_(one), options_(options) {
         options_.trace.crosscheck = options.trace.crosscheck && axis.is_crosschecked;
         options_.scores_crowded = axis.scores_crowded;
         options_.scores = axis.is_scored ? harness::Scores::brief : harness::Scores::none;
@@ -40,9 +31,6 @@ class CaseWork {
         measure.precision = 0;
     }
 
-    [[nodiscard]] const std::vector<harness::Evaluation>& evaluations() const { return drawn_; }
-    [[nodiscard]] const harness::TracedView& traced() const { return traced_; }
-
     void trace() {
         if (!axis_.is_scored) return;
         truth::SceneModel model(scene(), options_.trace.truth);
@@ -52,10 +40,9 @@ class CaseWork {
     void draw(const std::vector<method::MethodConfig>& configs) {
         // Where nothing is timed, all may draw at once.
         const bool is_timed = axis_.repetitions > 0;
-        harness::ViewDrawings drawings{{view(), &drawn_scene(), one_.poses},
+        harness::ViewDrawings drawings{view(),
                                        configs.size(),
                                        is_timed ? harness::most_at_once(drawn_scene()) : 1,
-                                       turns_,
                                        is_timed ? 1 : core::hardware_threads()};
         drawings.ready = [&](std::size_t first, std::size_t end) {
             std::vector<method::MethodConfig> under;
@@ -64,14 +51,15 @@ class CaseWork {
             return std::make_shared<harness::PreparedMethods>(
                 harness::prepare_methods(under, drawn_scene()));
         };
-        overflow_.resize(configs.size() * turns_.size(), 0);
+        overflow_.resize(configs.size(), 0);
         if (axis_.counts_faults) {
-            drawings.see = [&](std::size_t n, const harness::Turn& turn, const auto& drawn) {
+            drawings.see = [&](std::size_t n, harness::PreparedMethod& method, const auto& drawn) {
                 if (!drawn.row.is_ok()) return;
-                overflow_[n] = count_overflow(turn.method->method(),
-                                              turn.method->config(),
+                const harness::MeasureOptions& measure = options_.measure;
+                overflow_[n] = count_overflow(method.method(),
+                                              method.config(),
                                               drawn_scene(),
-                                              {view(), options_.measure.threads, turn.skips});
+                                              {view(), measure.threads, measure.skips});
             };
         }
         drawn_ = harness::draw_view(drawings, options_.measure);
@@ -93,9 +81,8 @@ class CaseWork {
         for (std::size_t i = 0; i < drawn_.size(); ++i) {
             harness::Row& row = drawn_[i].row;
             row.axis = axis_.name;
-            row.value = axis_.allowed && i < own ? axis_.values[i % turns_.size()] : one_.value;
+            row.value = one_.value;
             row.triangles = static_cast<std::int64_t>(scene::triangle_count(drawn_scene()));
-            if (turns_.size() > 1) row.view = fmt::format("{}={:g}", row.axis, *row.value);
             if (axis_.repetitions == 0) harness::clear_times(row);
             CaseFaults faults = given;
             faults.non_finite += count_non_finite(row);
@@ -118,7 +105,6 @@ class CaseWork {
     const Axis& axis_;
     const Case& one_;
     harness::CellOptions options_;
-    std::vector<raster::SkipSet> turns_;
     harness::TracedView traced_;
     std::vector<harness::Evaluation> drawn_;  ///< the methods', then the baselines'
     std::vector<std::int64_t> overflow_;      ///< of the methods
@@ -127,8 +113,7 @@ class CaseWork {
 }  // namespace
 
 int rows_of_case(const Axis& axis, std::size_t configs) {
-    const std::size_t arms = axis.allowed ? axis.values.size() : 1;
-    return static_cast<int>(configs * arms) + (axis.is_scored ? harness::kBaselines : 0);
+    return static_cast<int>(configs) + (axis.is_scored ? harness::kBaselines : 0);
 }
 
 std::vector<AxisRow> axis_rows(const Axis& axis,

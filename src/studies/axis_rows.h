@@ -18,8 +18,7 @@ struct AxisRow {
 [[nodiscard]] int rows_of_case(const Axis& axis, std::size_t configs);
 
 /// Draws one case of an axis with every configuration, and scores and times it as the axis has it:
-/// a row per configuration (and value, if the axis is what they may skip), then the baselines where
-/// it is scored.
+/// a row per configuration, then the baselines where it is scored.
 ///
 /// A method that throws is a row whose status says so. Where nothing is timed, rows hold no times:
 /// they are the same bytes on every machine. Of `options`, repetitions and budget are not read.

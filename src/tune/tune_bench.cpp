@@ -157,14 +157,14 @@ void TuneBench::draw_scene(const method::MethodConfig& config,
                            std::size_t scene_index,
                            std::vector<edge::EdgeImage>& images,
                            std::vector<double>& times_ms) const {
-    harness::PreparedMethod prepared(config, scenes_[scene_index].scene);
-    const harness::Turn turn{&prepared, harness::skips_of_repeated_drawings()};
+    const harness::PreparedMethods prepared =
+        harness::prepare_methods(std::span(&config, 1), scenes_[scene_index].scene);
     harness::MeasureOptions measure;
     if (!takes_times_) measure.max_repetitions = 0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
         if (views_[i].scene_index != scene_index) continue;
         harness::Evaluation drawn =
-            harness::method_evaluations(std::span(&turn, 1), {views_[i].view}, measure).front();
+            harness::method_evaluations(prepared, views_[i].view, measure).front();
         if (!drawn.row.is_ok())
             throw core::Error(
                 config.info->name, drawn.row.status, "settings that it can draw with");

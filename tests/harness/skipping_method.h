@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,11 +11,9 @@ namespace ink::harness {
 
 /// What a made-up method is to do, and what it was asked.
 struct SkipScript {
-    raster::SkipCounts counts = {};          ///< reported for skips that are allowed
-    std::optional<raster::Skip> wrong = {};  ///< its image is another where this is not allowed
-    std::string failure = {};                ///< thrown by draw unless empty
+    raster::SkipCounts counts = {};  ///< reported for skips that are allowed
+    std::string failure = {};        ///< thrown by draw unless empty
     std::vector<method::Frame> frames = {};
-    std::vector<scene::Scene> poses = {};
 };
 
 /// A method made for a test: one pixel, and counts as they stand in its script.
@@ -24,13 +21,12 @@ class SkippingMethod final : public method::Method {
   public:
     explicit SkippingMethod(SkipScript& script) : script_(script) {}
     void prepare(const scene::PreparedScene&) override {}
-    void pose(const scene::PreparedScene& scene) override { script_.poses.push_back(scene); }
+    void pose(const scene::PreparedScene&) override {}
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         if (!script_.failure.empty()) throw std::runtime_error(script_.failure);
         script_.frames.push_back(frame);
         out.fill(0);
         out.at(1, 1) = 200;
-        if (script_.wrong && !frame.skips.has(*script_.wrong)) out.at(1, 1) = 201;
         last_ = frame.skips;
     }
     int bytes_per_px() const override { return 1; }

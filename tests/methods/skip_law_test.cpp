@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "catalogue/catalogue.h"
@@ -187,6 +188,55 @@ INSTANTIATE_TEST_SUITE_P(Every,
                          SkipsInASequence,
                          testing::ValuesIn(method_names()),
                          [](const auto& method) { return method.param; });
+
+/// What mote4 leaves out of the third of three drawings of a scene in which one thing moves, from
+/// far away and so near that some of it is outside, summed over scenes.
+raster::SkipCounts counted(const raster::SkipSet& allowed, int threads) {
+    raster::SkipCounts sums{};
+    const auto method =
+        find_method("mote4").make({{"range_nx", "0"}, {"range_ny", "0"}, {"range_nz", "0"}});
+    for (const char* name : {"blocks", "horizon", "teapot"}) {
+        scene::Scene scene = catalogue::make_catalogue_scene(name);
+        method->prepare(scene);
+        for (const double zoom : {0.25, 1.0, 20.0}) {
+            scene::View view{scene.cameras.front(), 420, 280};
+            view.camera.fov_y_rad = 2 * std::atan(std::tan(view.camera.fov_y_rad / 2) / zoom);
+            edge::EdgeImage out(420, 280);
+            for (int drawing = 0; drawing < 3; ++drawing) {
+                move(scene.instances.front(), {0.001, 0, 0});
+                method->pose(scene);
+                method->draw({view, threads, allowed}, out);
+            }
+            const raster::SkipCounts counts = method->skip_counts();
+            for (std::size_t i = 0; i < sums.size(); ++i)
+                sums[i].skipped += counts[i].skipped;
+        }
+    }
+    return sums;
+}
+
+std::uint64_t skipped(const raster::SkipCounts& counts, Skip skip) {
+    return counts[static_cast<std::size_t>(skip)].skipped;
+}
+
+TEST(SkipCounts, AreAboveZeroWhereASkipIsAllowedOnAnyNumberOfThreads) {
+    const raster::SkipSet still = raster::SkipSet().set(Skip::temporal_reuse, false);
+    const raster::SkipCounts one = counted(still, 1), two = counted(still, 2);
+    const raster::SkipCounts again = counted({}, 1);
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        const auto& of = info.skip == Skip::temporal_reuse ? again : one;
+        EXPECT_GT(skipped(of, info.skip), 0U) << info.name;
+        EXPECT_EQ(skipped(one, info.skip), skipped(two, info.skip)) << info.name;
+    }
+}
+
+TEST(SkipCounts, AreZeroWhereItIsNot) {
+    const raster::SkipCounts none = counted(raster::SkipSet::none(), 1);
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        EXPECT_EQ(skipped(counted(raster::SkipSet().set(info.skip, false), 1), info.skip), 0U);
+        EXPECT_EQ(skipped(none, info.skip), 0U) << info.name << " with everything off";
+    }
+}
 
 /// mote4, spoilt: one pixel is another where a skip is allowed, or a frame before the same camera
 /// is taken for still.

@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
-// Skips as a user switches them off and studies them.
+// Skips as a user switches them off.
 
 namespace ink::program {
 namespace {
@@ -53,29 +52,6 @@ TEST(NoSkip, RefusesWhatIsNoSkip) {
                     AllOf(HasSubstr("--no-skip"),
                           HasSubstr("temporal_reuse"),
                           HasSubstr("did you mean occlusion_culling?")));
-    EXPECT_THAT(refusal(desk, "compare --scenes torus --skip-study --no-skip occlusion_culling"),
-                HasSubstr("--skip-study"));
-}
-
-TEST(SkipStudy, WritesItsTableAndStandsInTheReport) {
-    const Desk desk;
-    (void)compared(desk, {"--skip-study"});
-    const Table study = rows_of_study(desk, "skips");
-    EXPECT_EQ(study.size(), 8U * 3 + 3 * 2) << "a line per scene and arm";
-    std::map<std::string, std::string> hashes;
-    for (const auto& line : study) {
-        EXPECT_EQ(line.at("status"), "ok");
-        EXPECT_EQ(line.at("axis"), "skips_off");
-        EXPECT_EQ(line.at("width"), "160");
-        EXPECT_GT(std::stoll(line.at("draw_ns_min")), 0);
-        const auto [first, is_new] = hashes.emplace(line.at("scene"), line.at("image_hash"));
-        EXPECT_EQ(line.at("image_hash"), first->second) << line.at("scene");
-    }
-    EXPECT_EQ(page_table(desk.read("out/report.html"), "axes.csv")["lines"], 1);
-    // A run without it leaves no older one's table behind.
-    (void)compared(desk, {});
-    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out/axes.csv"));
-    EXPECT_TRUE(rows_of_study(desk, "skips").empty());
 }
 
 }  // namespace

@@ -119,6 +119,26 @@ TEST(StressRows, AMethodThatThrowsIsLost) {
     EXPECT_FALSE(total.is_clean());
 }
 
+TEST(StressRows, AnImageThatMayNotDifferAndDoesIsAFault) {
+    Axis axis;
+    axis.name = "threads";
+    axis.scale = AxisScale::linear;
+    axis.values = {1, 2};
+    std::vector<AxisRow> rows(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        rows[i].row.status = "ok";
+        rows[i].row.value = axis.values[i];
+        rows[i].row.image_hash = i == 0 ? "a" : "b";
+    }
+    note_differences(axis, rows);
+    EXPECT_EQ(rows[1].faults.differing, 0) << "only where the axis allows none";
+    axis.same_images = true;
+    note_differences(axis, rows);
+    EXPECT_EQ(rows[0].row.status, "ok");
+    EXPECT_EQ(rows[1].row.status, "differs: the image is another than at threads 1");
+    EXPECT_EQ(rows[1].faults.differing, 1);
+}
+
 /// Draws an image of a size that nobody asked for.
 class Misfit final : public method::Method {
   public:

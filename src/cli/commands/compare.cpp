@@ -55,10 +55,6 @@ experiment::Experiment experiment_of(const CompareArgs& args) {
     if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
     if (args.quick && args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     if (args.no_sweep) experiment.own_sweep_views = 0;
-    if (experiment.study_skips && !experiment.skips_off.empty()) {
-        throw core::Error(
-            "--skip-study", "it switches every skip itself", "no --no-skip beside it");
-    }
     return experiment;
 }
 
@@ -100,8 +96,7 @@ void add_compare_command(CLI::App& app) {
                     "measure.images",
                     "measure.skips_off",
                     "study.scaling",
-                    "study.motion",
-                    "study.skips"});
+                    "study.motion"});
     add_cache_options(*command, args->cache);
     command->footer(
         "Killed or interrupted, the same command goes on where it stopped.\n"

@@ -317,10 +317,6 @@ OptionTable make_table() {
         &E::study_motion, "study.motion",
         "Also draw sequences in which the camera moves slowly: flicker, pops, lives of false "
         "lines; motion.csv and plots, about a minute");
-    in(kCompare, "--skip-study").flag(
-        &E::study_skips, "study.skips",
-        "Also measure how much time each skip saves, on scenes made for it: rows of study skips "
-        "and a part of the report");
 
     in(kHardest, "--hardest", "method").texts(
         {.name = "search.methods", .kind = Kind::list,

@@ -38,17 +38,16 @@ std::vector<harness::Evaluation> draw(ViewBench& bench,
                                       const harness::MeasureOptions& measure,
                                       StageTimes& stages,
                                       Layers* layers = nullptr) {
-    harness::ViewDrawings drawings{
-        {*at.view}, count, bench.most_at_once(at.scene), {measure.skips}};
+    harness::ViewDrawings drawings{*at.view, count, bench.most_at_once(at.scene)};
     drawings.ready = [&](std::size_t first, std::size_t end) {
         const StageTimer timer(stages, WorkStage::prepare, WorkStage::draw);
         return ready(first, end);
     };
     if (layers != nullptr) {
-        drawings.see = [&](std::size_t, const harness::Turn& turn, const auto& drawn) {
+        drawings.see = [&](std::size_t, harness::PreparedMethod& method, const auto& drawn) {
             if (!drawn.row.is_ok()) return;
             layers->push_back(
-                harness::buffer_layers(*turn.method, {*at.view, measure.threads, measure.skips}));
+                harness::buffer_layers(method, {*at.view, measure.threads, measure.skips}));
         };
     }
     const StageTimer timer(stages, WorkStage::draw);

@@ -73,7 +73,6 @@ BlockResult run_values(const Stage& stage,
             auto more = studies::axis_rows(axis, one, stage.configs, stage.options);
             std::move(more.begin(), more.end(), std::back_inserter(rows));
         }
-        if (axis.allowed) break;  // its cells are of every value
     }
     studies::note_differences(axis, rows);
     BlockResult result;
@@ -94,7 +93,7 @@ BlockResult run_values(const Stage& stage,
 std::vector<std::vector<double>> value_groups(const studies::Axis& axis, int points) {
     const std::vector<double> values =
         points > 0 ? studies::axis_values(axis, points) : axis.values;
-    if (axis.is_whole()) return {values};
+    if (axis.same_images) return {values};
     std::vector<std::vector<double>> groups;
     for (const double value : values)
         groups.push_back({value});
@@ -103,7 +102,6 @@ std::vector<std::vector<double>> value_groups(const studies::Axis& axis, int poi
 
 /// The cases of the first value stand for all: those of the last may be large.
 int cases_of_value(const Stage& stage) {
-    if (stage.axis.cases_of_value > 0) return stage.axis.cases_of_value;
     return static_cast<int>(stage.axis.cases(stage.axis.values.front(), stage.size).size());
 }
 
@@ -115,12 +113,11 @@ void plan_axis(const std::shared_ptr<Stage>& stage, int points, Plan& plan) {
     const double cell_s = 0.01 + 0.05 * mpx + (axis.repetitions > 0 ? axis.budget_s / 2 : 0);
     const int rows = studies::rows_of_case(axis, stage->configs.size()) * cases_of_value(*stage);
     for (const std::vector<double>& values : value_groups(axis, points)) {
-        const int cells = axis.allowed ? rows : rows * static_cast<int>(values.size());
+        const int cells = rows * static_cast<int>(values.size());
         const std::int64_t first_cell = plan.take_cells(cells);
-        const std::string of = axis.scene.empty() ? "" : " " + axis.scene;
         plan.blocks.push_back(
-            {values.size() < 20 ? fmt::format("{}{} {}", axis.name, of, fmt::join(values, " "))
-                                : fmt::format("{}{}", axis.name, of),
+            {values.size() < 20 ? fmt::format("{} {}", axis.name, fmt::join(values, " "))
+                                : axis.name,
              cells,
              cells * cell_s,
              true,

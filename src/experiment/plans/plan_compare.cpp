@@ -15,7 +15,6 @@
 #include "harness/tables/sweep_table.h"
 #include "linear_code/cancellation_study.h"
 #include "studies/scaling_axes.h"
-#include "studies/skip_axes.h"
 
 namespace ink::experiment {
 namespace {
@@ -225,7 +224,6 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
     }
     if (experiment.study_scaling) plan_axes(studies::scaling_axes(), experiment, trace, plan);
     if (experiment.study_motion) plan_animation(motion_beside(experiment), trace, plan);
-    if (experiment.study_skips) plan_axes(studies::skip_axes(), experiment, trace, plan);
 }
 
 }  // namespace ink::experiment

@@ -57,7 +57,7 @@ void add_place(RowTable& table) {
     table.add({"cell", "", "number of the cell; side tables name it by this"}, &RowRecord::cell);
     table.add({"study",
                "",
-               "what it was measured for: compare, stress, motion, scaling, skips, "
+               "what it was measured for: compare, stress, motion, scaling, "
                "tune"},
               &RowRecord::study);
     const auto row = table.part(&RowRecord::row);

@@ -48,7 +48,7 @@ addSection({
 
 /// Rows of studies whose times are told over an axis: those of one scene.
 function axisTimes(run) {
-    const rows = run.table('rows.csv').lines.filter(row => row.axis && row.study !== 'skips');
+    const rows = run.table('rows.csv').lines.filter(row => row.axis);
     return rows.some(row => row.draw_ns_min > 0) ? rows.filter(row => row.draw_ns_min > 0 || row.status !== 'ok') : [];
 }
 
@@ -135,8 +135,7 @@ function axisFaults(root, view, errors) {
         return `${words}, ${sumOf(lines, field)}: ${meaning}. Where: ${where.slice(0, 12).join(', ')}` +
             (where.length > 12 ? ` and ${where.length - 12} more` : '');
     });
-    const failed = view.run.table('rows.csv').lines.filter(row => row.axis && row.study !== 'skips' &&
-        row.status !== 'ok');
+    const failed = view.run.table('rows.csv').lines.filter(row => row.axis && row.status !== 'ok');
     items.push(...failed.map(row => `${row.method} on ${row.scene}, ${row.view}: ${row.status}`));
     if (items.length) {
         root.append(warningBox('Something went wrong that must not.', 'Faults, and cells without a result:', items));
