@@ -4,6 +4,7 @@
 if(EXISTS ${OUT}/inkbench.1 AND NOT ${PROGRAM} IS_NEWER_THAN ${OUT}/inkbench.1)
     return()
 endif()
+file(REMOVE_RECURSE ${OUT})  # a subcommand that went leaves no page
 file(MAKE_DIRECTORY ${OUT})
 
 # page(NAME COMMAND...): NAME.1 from the --help of COMMAND, whose first line says what it does.

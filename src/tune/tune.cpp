@@ -187,21 +187,6 @@ void write_results(const TuneOptions& options, const TuneSpace& space, TuneResul
 
 }  // namespace
 
-void add_training_views(harness::SceneViews& scene_views,
-                        const harness::ViewRequest& request,
-                        int count) {
-    if (count == 0 || scene_views.scene.split == scene::Split::heldout) return;
-    harness::ViewRequest more = request;
-    more.orbit_count = count;
-    more.directions.clear();
-    more.cameras.clear();
-    more.file_cameras = false;
-    for (scene::View& view : harness::make_scene_views(scene_views.scene, more).views) {
-        view.camera.name = "more_" + view.camera.name;
-        scene_views.views.push_back(std::move(view));
-    }
-}
-
 TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& options) {
     const core::InterruptGuard guard;
     const TuneSpace space = checked_space(options);

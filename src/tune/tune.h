@@ -75,12 +75,6 @@ struct TuneResult {
     std::filesystem::path preset;  ///< the file that was written
 };
 
-/// Adds `count` views round the scene of `scene_views`, of the request's size, beside those it has.
-/// Does nothing to a held-out scene of the catalogue.
-void add_training_views(harness::SceneViews& scene_views,
-                        const harness::ViewRequest& request,
-                        int count);
-
 /// Looks for the settings of a method that make the fewest errors on the training scenes and the
 /// models among `scenes`, starting from its defaults, so that what is lowered is never worse there;
 /// scores them on held-out scenes and those of `options.unseen`, which the search never sees.

@@ -39,7 +39,6 @@ struct TruthArgs {
     std::optional<std::string> file;
     std::optional<std::string> svg;
     std::optional<std::string> image;
-    std::optional<std::string> sampled;
     std::optional<std::string> disagreement;
     bool crosscheck = false;
     DrawingOptions drawing;
@@ -48,7 +47,7 @@ struct TruthArgs {
 
     /// Whether drawings are all that was asked for: they need the lines alone.
     [[nodiscard]] bool is_drawing_alone() const {
-        return drawing.place && !file && !svg && !image && !sampled && !crosscheck;
+        return drawing.place && !file && !svg && !image && !crosscheck;
     }
 };
 
@@ -132,7 +131,6 @@ std::string command_of_truth(const CLI::App& command) {
                              "--output",
                              "--svg",
                              "--image",
-                             "--sampled",
                              "--crosscheck",
                              "--disagreement",
                              "--drawing",
@@ -154,7 +152,7 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     options.truth.threads = asked.threads.front();
     if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
     if (args.svg) check_output_path(*args.svg, {".svg"});
-    for (const auto& file : {args.image, args.sampled, args.disagreement}) {
+    for (const auto& file : {args.image, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
     const harness::ViewRequest request = view_request(args.views);
@@ -172,7 +170,6 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     if (args.svg) write_truth(traced, origin, *args.svg);
     if (args.drawing.place) write_drawings(traced.model, traced.scene_views, args.drawing);
     if (args.image) draw::write_truth_image(traced.truth.counted_labels(), *args.image);
-    if (args.sampled) draw::write_responses(traced.truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
                scene.name,
                traced.view().camera.name,
@@ -198,10 +195,6 @@ void add_truth_command(CLI::App& app) {
         ->add_option("--image,--picture",
                      args->image,
                      "PNG with a colour per class, for people; score takes the one of -o")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--sampled", args->sampled, "PNG of the same lines by one exact sample a pixel")
         ->type_name("FILE");
     command->add_flag("--crosscheck,--witness",
                       args->crosscheck,

@@ -45,12 +45,10 @@ struct TuneArgs {
     std::optional<double> budget_ms;
     int evaluations = 300;
     std::string global = "crs";
-    std::string local = "sbplx";
     bool no_random = false;
     SceneOptions scenes;
     std::vector<std::string> unseen;
     ViewOptions views;
-    int more_views = 0;
     std::string name;
     std::string out = "inkbench-out/tune";
     bool is_forced = false;
@@ -106,11 +104,7 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     options.budget_ms = args.budget_ms;
     check_count("--evaluations", args.evaluations, 1, 1000000);
     check_choice("--global", args.global, search::global_searches());
-    check_choice("--local", args.local, search::local_searches());
-    options.plan = {.evaluations = args.evaluations,
-                    .seed = asked.seed,
-                    .global = args.global,
-                    .local = args.local};
+    options.plan = {.evaluations = args.evaluations, .seed = asked.seed, .global = args.global};
     options.random = !args.no_random;
     options.trace = experiment::trace_of(asked, cache_folder(args.cache));
     if (!tune::TuneSpace(*options.config.info, args.parameters).has("crease_deg"))
@@ -157,13 +151,10 @@ void add_unseen(const TuneArgs& args,
 void run_tune(const TuneArgs& args, const std::string& command) {
     tune::TuneOptions options = tune_options(args);
     options.command = command;
-    check_count("--more-views", args.more_views, 0, 1000);
     harness::ViewRequest request = view_request(args.views);
     request.listed = args.options.read().view_request.listed;
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
     spare_listed(scenes, options);
-    for (harness::SceneViews& scene_views : scenes)
-        tune::add_training_views(scene_views, request, args.more_views);
     add_unseen(args, request, scenes, options);
     for (const harness::SceneViews& scene_views : scenes)
         print_notes(scene_views);
@@ -224,11 +215,11 @@ void add_tune_command(CLI::App& app) {
     command->add_option("--evaluations", args->evaluations, "Settings to try")
         ->capture_default_str();
     args->options.add_to(*command, {"seed"}, "Of the search");
-    command->add_option("--global", args->global, "Search for the first 60 % of the evaluations")
+    command
+        ->add_option("--global",
+                     args->global,
+                     "Search for the first 60 % of the evaluations; the rest are local")
         ->type_name(fmt::format("{}", fmt::join(search::global_searches(), "|")))
-        ->capture_default_str();
-    command->add_option("--local", args->local, "Search for the rest")
-        ->type_name(fmt::format("{}", fmt::join(search::local_searches(), "|")))
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "Skip the random search with as many evaluations");
@@ -244,11 +235,6 @@ void add_tune_command(CLI::App& app) {
     add_repeatable_option(
         *command, "--unseen", args->unseen, "Scenes or model files that are only scored", "SCENES");
     add_view_options(*command, args->views);
-    command
-        ->add_option("--more-views",
-                     args->more_views,
-                     "Random views round each training scene, in addition to its own")
-        ->capture_default_str();
     args->options.add_to(*command, truth_rows());
     command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
         ->type_name("NAME");
