@@ -1,13 +1,15 @@
 #include "catalogue/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <map>
 #include <numbers>
 #include <utility>
+
+#include "core/numbering.h"
 
 namespace ink::catalogue {
 namespace {
@@ -45,19 +47,23 @@ void add_band(scene::Mesh& mesh, const RingIndex& low, const RingIndex& high, st
 /// The point half way between two on the sphere, made once for both triangles that share the edge.
 class Midpoints {
   public:
-    Midpoints(std::vector<glm::dvec3>& points, double radius) : points_(points), radius_(radius) {}
+    Midpoints(std::vector<glm::dvec3>& points, double radius)
+        : points_(points),
+          first_(static_cast<std::uint32_t>(points.size())),
+          radius_(radius),
+          known_(3 * points.size()) {}
 
     std::uint32_t between(std::uint32_t a, std::uint32_t b) {
-        const auto next = static_cast<std::uint32_t>(points_.size());
-        const auto [place, is_new] = known_.try_emplace(std::minmax(a, b), next);
+        const auto [number, is_new] = known_.insert({std::min(a, b), std::max(a, b)});
         if (is_new) points_.push_back(glm::normalize(points_[a] + points_[b]) * radius_);
-        return place->second;
+        return first_ + number;
     }
 
   private:
     std::vector<glm::dvec3>& points_;
+    std::uint32_t first_;
     double radius_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known_;
+    core::Numbering<std::array<std::uint32_t, 2>> known_;
 };
 
 std::vector<glm::dvec3> icosahedron_points(double radius) {

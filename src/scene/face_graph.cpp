@@ -1,9 +1,10 @@
 #include "scene/face_graph.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 
-#include "core/hash.h"
+#include "core/disjoint_sets.h"
+#include "core/numbering.h"
 #include "scene/predicates.h"
 
 namespace ink::scene {
@@ -11,71 +12,29 @@ namespace {
 
 constexpr std::uint32_t kFree = 0xffffffffU;
 
-/// Numbers the places of each object in the order in which the triangles meet them.
+/// Fills `graph.places` and `graph.corner_at`.
 ///
 /// A corner may serve two objects that touch; it is then at a place of either.
-class Places {
-  public:
-    explicit Places(const Surface& surface)
-        : surface_(surface),
-          last_object_(surface.p_world.size(), kFree),
-          last_place_(surface.p_world.size()) {
-        std::size_t lookups = 0;
-        for_each_new([&](std::uint32_t, std::uint32_t) {
-            ++lookups;
-            return 0U;
-        });
-        last_object_.assign(last_object_.size(), kFree);
-        slots_.assign(std::bit_ceil(lookups * 2 + 1), kFree);
-    }
-
-    /// Fills `graph.places` and `graph.corner_at`.
-    void number(FaceGraph& graph) {
-        graph.places.reserve(surface_.triangles.size() * 3);
-        std::vector<std::uint32_t> object_at;
-        const auto insert = [&](std::uint32_t corner, std::uint32_t object) {
-            const glm::dvec3 p = surface_.p_world[corner] + 0.0;  // -0 and 0 must hash alike
-            const std::size_t mask = slots_.size() - 1;
-            std::size_t slot = (core::Hasher().value(p).result() + object * 0x9e3779b9U) & mask;
-            for (; slots_[slot] != kFree; slot = (slot + 1) & mask) {
-                const std::uint32_t place = slots_[slot];
-                if (object_at[place] == object && surface_.p_world[graph.corner_at[place]] == p)
-                    return place;
+void number_places(const Surface& surface, FaceGraph& graph) {
+    core::Numbering<std::array<double, 4>> places(surface.p_world.size());
+    std::vector<std::uint32_t> last_object(surface.p_world.size(), kFree);
+    std::vector<std::uint32_t> last_place(surface.p_world.size());
+    graph.places.reserve(surface.triangles.size() * 3);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const std::uint32_t object = surface.object[t];
+        for (const std::uint32_t corner : surface.triangles[t]) {
+            if (last_object[corner] != object) {
+                last_object[corner] = object;
+                const glm::dvec3 p = surface.p_world[corner] + 0.0;  // -0 and 0 must hash alike
+                const auto [place, is_new] =
+                    places.insert({p.x, p.y, p.z, static_cast<double>(object)});
+                if (is_new) graph.corner_at.push_back(corner);
+                last_place[corner] = place;
             }
-            slots_[slot] = static_cast<std::uint32_t>(object_at.size());
-            object_at.push_back(object);
-            graph.corner_at.push_back(corner);
-            return slots_[slot];
-        };
-        for_each_new(insert, [&](std::uint32_t place) { graph.places.push_back(place); });
-    }
-
-  private:
-    /// Calls `find(corner, object)` where a corner's place is not the one it had last, and
-    /// `visit(place)` for each corner of each triangle.
-    template <class Find, class Visit>
-    void for_each_new(Find find, Visit visit) {
-        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-            for (const std::uint32_t corner : surface_.triangles[t]) {
-                const std::uint32_t object = surface_.object[t];
-                if (last_object_[corner] != object) {
-                    last_object_[corner] = object;
-                    last_place_[corner] = find(corner, object);
-                }
-                visit(last_place_[corner]);
-            }
+            graph.places.push_back(last_place[corner]);
         }
     }
-    template <class Find>
-    void for_each_new(Find find) {
-        for_each_new(find, [](std::uint32_t) {});
-    }
-
-    const Surface& surface_;
-    std::vector<std::uint32_t> last_object_;
-    std::vector<std::uint32_t> last_place_;
-    std::vector<std::uint32_t> slots_;
-};
+}
 
 /// The side of a triangle from corner side % 3 of triangle side / 3 to the next, filed under the
 /// lower of its two places.
@@ -185,28 +144,24 @@ OpenEdges join_edges(const std::vector<bool>& has_area, FaceGraph& graph) {
     return edges;
 }
 
-void flood_solids(const std::vector<bool>& has_area, const OpenEdges& edges, FaceGraph& graph) {
-    graph.solid_of.assign(has_area.size(), FaceGraph::kNoSolid);
-    std::vector<std::uint32_t> stack;
-    for (std::uint32_t first = 0; first < has_area.size(); ++first) {
-        if (!has_area[first] || graph.solid_of[first] != FaceGraph::kNoSolid) continue;
-        const auto solid = static_cast<std::uint32_t>(graph.is_closed.size());
-        graph.is_closed.push_back(true);
-        graph.has_rims_only.push_back(true);
-        graph.solid_of[first] = solid;
-        stack.push_back(first);
-        while (!stack.empty()) {
-            const std::uint32_t t = stack.back();
-            stack.pop_back();
+void number_solids(const std::vector<bool>& has_area, const OpenEdges& edges, FaceGraph& graph) {
+    core::DisjointSets solids(has_area.size());
+    for (std::uint32_t side = 0; side < graph.across.size(); ++side)
+        solids.join(side / 3, graph.across[side]);
+    for (std::uint32_t t = 0; t < has_area.size(); ++t) {
+        std::uint32_t solid = FaceGraph::kNoSolid;
+        if (has_area[t]) {
+            const std::uint32_t first = solids.root(t);
+            if (first == t) {
+                graph.is_closed.push_back(true);
+                graph.has_rims_only.push_back(true);
+            }
+            solid = first == t ? static_cast<std::uint32_t>(graph.is_closed.size() - 1)
+                               : graph.solid_of[first];
             if (edges.is_open[t]) graph.is_closed[solid] = false;
             if (edges.is_no_rim[t]) graph.has_rims_only[solid] = false;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint32_t next = graph.across[3 * t + i];
-                if (graph.solid_of[next] == solid) continue;
-                graph.solid_of[next] = solid;
-                stack.push_back(next);
-            }
         }
+        graph.solid_of.push_back(solid);
     }
 }
 
@@ -214,9 +169,9 @@ void flood_solids(const std::vector<bool>& has_area, const OpenEdges& edges, Fac
 
 FaceGraph make_face_graph(const Surface& surface) {
     FaceGraph graph;
-    Places(surface).number(graph);
+    number_places(surface, graph);
     const std::vector<bool> has_area = find_areas(surface, graph);
-    flood_solids(has_area, join_edges(has_area, graph), graph);
+    number_solids(has_area, join_edges(has_area, graph), graph);
     return graph;
 }
 
