@@ -6,6 +6,7 @@
 
 #include "buffers/vertex_weld.h"
 #include "core/numbering.h"
+#include "scene/box.h"
 
 namespace ink::methods {
 namespace {
@@ -34,7 +35,7 @@ void list_faces(const std::vector<std::uint32_t>& edge_of, SoupEdges& soup) {
 
 SoupEdges find_edges(const Soup& soup, double epsilon) {
     buffers::VertexWeld weld =
-        buffers::weld_vertices(soup.points, epsilon * buffers::diagonal_of(soup.points));
+        buffers::weld_vertices(soup.points, epsilon * scene::box_of(soup.points).diagonal());
     buffers::WeldedFaces welded =
         buffers::weld_faces(weld, soup.points, soup.triangles, buffers::DoubleFaces::drop);
 

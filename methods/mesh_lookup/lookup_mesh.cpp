@@ -6,11 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numbers>
 #include <tuple>
 #include <utility>
 
-#include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
 #include "core/error.h"
 #include "scene/box.h"
@@ -28,16 +26,12 @@ struct Border {
     std::size_t i = 0;
 };
 
-glm::dvec3 inward(const std::array<glm::dvec3, 3>& face) {
-    const glm::dvec3 along = glm::normalize(face[1] - face[0]);
-    const glm::dvec3 to_third = face[2] - face[0];
-    return to_third - along * glm::dot(along, to_third);
-}
+static_assert(kNoNeighbour == scene::LostTriangle::kNoFace);
 
 class Builder {
   public:
     Builder(const scene::PreparedScene& scene, const LookupOptions& options)
-        : prepared_(scene), options_(options), welded_(scene.topology()) {}
+        : scene_(scene), options_(options), welded_(scene.topology()) {}
 
     LookupMesh build() {
         if (topology_.faces.size() > Twin::kMostFaces) {
@@ -70,21 +64,13 @@ class Builder {
 
     /// Per object the share of its diagonal that counts as no distance, and the weld tolerance.
     void measure_objects() {
-        std::vector<scene::Box> boxes(scene_.instances.size());
-        for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-            for (const std::uint32_t v : mesh_.faces[f].vertices)
-                boxes[mesh_.objects[f]].add(mesh_.p_world[v]);
-        }
-        for (const scene::Box& box : boxes)
+        for (const scene::Box& box : scene::object_boxes(topology_))
             mesh_.crack_world.push_back(options_.weld_epsilon * box.diagonal());
         mesh_.tolerance_world = scene::weld_tolerances(topology_);
     }
 
     [[nodiscard]] Border border(std::uint32_t face, std::uint32_t edge) const {
-        const auto& edges = topology_.faces[face].edges;
-        return {
-            face,
-            static_cast<std::size_t>(std::find(edges.begin(), edges.end(), edge) - edges.begin())};
+        return {face, scene::side_at(topology_.faces[face], edge)};
     }
 
     void join_over_edges() {
@@ -125,7 +111,7 @@ class Builder {
 
     /// Where each vertex on a boundary of one object goes; others stay themselves.
     [[nodiscard]] std::vector<glm::dvec3> near_places() const {
-        std::vector<std::vector<std::uint32_t>> parts(scene_.instances.size());
+        std::vector<std::vector<std::uint32_t>> parts(mesh_.crack_world.size());
         for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
             const LookupFace& face = mesh_.faces[f];
             for (std::size_t i = 0; i < 3; ++i) {
@@ -162,7 +148,7 @@ class Builder {
         }
         for (const auto& [where, borders] : meeting) {
             if (borders.size() != 2 || borders[0].face == borders[1].face) continue;
-            const double deviation = deviation_rad(corners(borders[0]), corners(borders[1]));
+            const double deviation = scene::deviation_rad(corners(borders[0]), corners(borders[1]));
             join(borders[0], borders[1], deviation >= options_.crease_rad);
         }
     }
@@ -191,8 +177,8 @@ class Builder {
         mesh_.face_of_triangle.assign(scene::triangle_count(scene_), kNoNeighbour);
         for (std::uint32_t f = 0; f < topology_.faces.size(); ++f)
             mesh_.face_of_triangle[topology_.faces[f].triangle] = f;
-        for (const auto& [triangle, face] : buffers::repeated_faces(prepared_, topology_))
-            mesh_.face_of_triangle[triangle] = face;
+        for (const scene::LostTriangle& lost : topology_.lost)
+            mesh_.face_of_triangle[lost.triangle] = lost.face;
     }
 
     /// Faces along a Morton curve of their centres, vertices as faces come by them: what is seen
@@ -269,8 +255,7 @@ class Builder {
         }
     }
 
-    const scene::PreparedScene& prepared_;
-    const scene::Scene& scene_ = prepared_;
+    const scene::Scene& scene_;
     LookupOptions options_;
     std::shared_ptr<const scene::Topology> welded_;
     const scene::Topology& topology_ = *welded_;
@@ -278,11 +263,6 @@ class Builder {
 };
 
 }  // namespace
-
-double deviation_rad(const std::array<glm::dvec3, 3>& one, const std::array<glm::dvec3, 3>& other) {
-    const glm::dvec3 a = inward(one), b = inward(other);
-    return std::numbers::pi - std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 LookupMesh make_lookup_mesh(const scene::PreparedScene& scene, const LookupOptions& options) {
     return Builder(scene, options).build();

@@ -107,9 +107,4 @@ struct LookupMesh {
 [[nodiscard]] LookupMesh make_lookup_mesh(const scene::PreparedScene& scene,
                                           const LookupOptions& options);
 
-/// By how much two faces that meet deviate from flat, 0..pi, each given by the ends of the edge as
-/// it has them and its third corner.
-[[nodiscard]] double deviation_rad(const std::array<glm::dvec3, 3>& one,
-                                   const std::array<glm::dvec3, 3>& other);
-
 }  // namespace ink::methods

@@ -11,6 +11,7 @@
 #include "raster/pass/screen_vertex.h"
 #include "raster/pass/view_transform.h"
 #include "scene/predicates.h"
+#include "scene/topology.h"
 
 namespace ink::methods {
 namespace {
@@ -351,8 +352,8 @@ class ScreenMesh::Walk {
         }
         const LookupFace& face = screen_.mesh_->faces[at_];
         const double deviation =
-            deviation_rad({a, b, p_world(face.vertices[(exit + 2) % 3])},
-                          {a, b, p_world(screen_.mesh_->faces[best].vertices[best_third])});
+            scene::deviation_rad({a, b, p_world(face.vertices[(exit + 2) % 3])},
+                                 {a, b, p_world(screen_.mesh_->faces[best].vertices[best_third])});
         if (deviation >= screen_.options_.crease_rad) {
             kind_ = LineKind::crease;
         } else if (screen_.mesh_->objects[at_] != screen_.mesh_->objects[best]) {

@@ -33,11 +33,8 @@ PatchBorders::PatchBorders(const SmoothMesh& mesh) : first_(mesh.patch_count + s
 
 std::vector<std::uint32_t> patches_by_area(const SmoothMesh& mesh) {
     std::vector<double> areas(mesh.patch_count, 0);
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        const auto& [a, b, c] = mesh.topology.faces[f].vertices;
-        const auto& p = mesh.topology.p_world;
-        areas[mesh.patch_of[f]] += glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
-    }
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+        areas[mesh.patch_of[f]] += glm::length(mesh.topology.area_vector(f));
     std::vector<std::uint32_t> order(mesh.patch_count);
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

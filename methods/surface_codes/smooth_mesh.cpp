@@ -7,12 +7,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <span>
 #include <tuple>
-#include <unordered_map>
 
 #include "core/disjoint_sets.h"
-#include "core/hash.h"
+#include "core/numbering.h"
 #include "scene/box.h"
 #include "scene/precision/rounding.h"
 #include "scene/surface.h"
@@ -180,47 +180,20 @@ class Boundaries {
 /// pair once, ascending. O(n log n) for n boundary edges that are alike in length.
 std::vector<FacePair> touching_boundaries(const scene::Topology& topology,
                                           const buffers::PatchOptions& options) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_object;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> by_object;
     for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
         const scene::Edge& edge = topology.edges[e];
-        if (edge.face_count != 1) continue;
-        by_object.emplace_back(topology.faces[topology.faces_of(edge)[0]].object, e);
+        if (edge.face_count == 1)
+            by_object[topology.faces[topology.faces_of(edge)[0]].object].push_back(e);
     }
-    std::sort(by_object.begin(), by_object.end());
     std::vector<FacePair> pairs;
-    std::vector<std::uint32_t> edges;
-    for (std::size_t i = 0; i < by_object.size();) {
-        const std::uint32_t object = by_object[i].first;
-        edges.clear();
-        for (; i < by_object.size() && by_object[i].first == object; ++i)
-            edges.push_back(by_object[i].second);
+    for (const auto& [object, edges] : by_object)
         Boundaries(topology, edges, options).add_touching(pairs);
-    }
     const auto faces = [](const FacePair& pair) { return std::tie(pair.face0, pair.face1); };
-    std::sort(pairs.begin(), pairs.end(), [&](const FacePair& a, const FacePair& b) {
-        return faces(a) < faces(b);
-    });
-    pairs.erase(
-        std::unique(pairs.begin(),
-                    pairs.end(),
-                    [&](const FacePair& a, const FacePair& b) { return faces(a) == faces(b); }),
-        pairs.end());
+    std::ranges::sort(pairs, {}, faces);
+    const auto again = std::ranges::unique(pairs, {}, faces);
+    pairs.erase(again.begin(), again.end());
     return pairs;
-}
-
-/// Numbers sets in the order of their first members; returns how many there are.
-std::uint32_t number_sets(core::DisjointSets& sets, std::vector<std::uint32_t>& numbers) {
-    std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
-        const std::uint32_t root = sets.root(i);  // the lowest: numbered before the others
-        numbers[i] = root == i ? count++ : numbers[root];
-    }
-    return count;
-}
-
-/// Which edge of a face.
-std::uint32_t side_of(const scene::Face& face, std::uint32_t edge) {
-    return face.edges[0] == edge ? 0U : face.edges[1] == edge ? 1U : 2U;
 }
 
 /// Edges of more faces than this part all of them.
@@ -260,10 +233,6 @@ std::vector<FacePair> pairs_of_many(const scene::Topology& topology,
     return smooth;
 }
 
-struct PlaceHash {
-    std::size_t operator()(const glm::dvec3& p) const { return core::Hasher().value(p).result(); }
-};
-
 /// The number that is there most often, the lowest of those; kNone of none.
 std::uint32_t most_frequent(std::vector<std::uint32_t> numbers) {
     std::sort(numbers.begin(), numbers.end());
@@ -295,8 +264,8 @@ SmoothMesh cut_into_patches(const scene::PreparedScene& scene,
         patches.join(f, g);
         fans.join(mesh.corner_at(f, edge.a), mesh.corner_at(g, edge.a));
         fans.join(mesh.corner_at(f, edge.b), mesh.corner_at(g, edge.b));
-        mesh.across[3 * f + side_of(topology.faces[f], e)] = g;
-        mesh.across[3 * g + side_of(topology.faces[g], e)] = f;
+        mesh.across[3 * f + scene::side_at(topology.faces[f], e)] = g;
+        mesh.across[3 * g + scene::side_at(topology.faces[g], e)] = f;
     };
     for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
         const scene::Edge& edge = topology.edges[e];
@@ -314,7 +283,7 @@ SmoothMesh cut_into_patches(const scene::PreparedScene& scene,
             for (std::size_t i = 1; i < faces.size(); ++i) {
                 for (std::size_t k = i < kMostPaired ? 0 : i - 1; k < i; ++k) {
                     const auto& f = topology.faces[faces[k]];
-                    if (mesh.across[3 * faces[k] + side_of(f, e)] != faces[i])
+                    if (mesh.across[3 * faces[k] + scene::side_at(f, e)] != faces[i])
                         mesh.borders.push_back({faces[k], faces[i], e});
                 }
             }
@@ -323,10 +292,8 @@ SmoothMesh cut_into_patches(const scene::PreparedScene& scene,
     mesh.touching = touching_boundaries(topology, options);
     for (const FacePair& pair : mesh.touching)
         patches.join(pair.face0, pair.face1);
-    mesh.patch_of.resize(count);
-    mesh.patch_count = number_sets(patches, mesh.patch_of);
-    mesh.fan_of.resize(std::size_t{3} * count);
-    mesh.fan_count = number_sets(fans, mesh.fan_of);
+    std::tie(mesh.patch_of, mesh.patch_count) = patches.numbers();
+    std::tie(mesh.fan_of, mesh.fan_count) = fans.numbers();
     return mesh;
 }
 
@@ -346,7 +313,7 @@ std::vector<std::uint32_t> find_faces(const scene::PreparedScene& scene,
     std::vector<std::uint32_t> face_of(scene::triangle_count(scene), SmoothMesh::kNone);
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f)
         face_of[topology.faces[f].triangle] = f;
-    if (topology.faces.size() == face_of.size()) return face_of;
+    if (topology.lost.empty()) return face_of;
     const auto flat = scene.surface();
     const scene::Surface& surface = *flat;
     const auto places = [&](std::uint32_t triangle) {
@@ -360,23 +327,18 @@ std::vector<std::uint32_t> find_faces(const scene::PreparedScene& scene,
         std::uint32_t triangle = 0;
         std::array<std::uint32_t, 3> places{};
     };
-    std::unordered_map<glm::dvec3, std::uint32_t, PlaceHash> numbers;
+    core::Numbering<glm::dvec3> numbers(topology.lost.size());
     std::vector<Left> left;
-    for (std::uint32_t t = 0; t < face_of.size(); ++t) {
-        if (face_of[t] != SmoothMesh::kNone) continue;
-        Left& one = left.emplace_back(Left{t, {}});
-        const auto p = places(t);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto next = static_cast<std::uint32_t>(numbers.size());
-            one.places[i] = numbers.try_emplace(p[i], next).first->second;
-        }
+    for (const scene::LostTriangle& lost : topology.lost) {
+        const auto [a, b, c] = places(lost.triangle);
+        left.push_back(
+            {lost.triangle,
+             {numbers.insert(a).first, numbers.insert(b).first, numbers.insert(c).first}});
     }
-    std::vector<std::vector<std::uint32_t>> faces_at(numbers.size());
+    std::vector<std::vector<std::uint32_t>> faces_at(numbers.keys().size());
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
-        for (const glm::dvec3& p : places(topology.faces[f].triangle)) {
-            const auto found = numbers.find(p);
-            if (found != numbers.end()) faces_at[found->second].push_back(f);
-        }
+        for (const glm::dvec3& p : places(topology.faces[f].triangle))
+            if (const auto number = numbers.find(p)) faces_at[*number].push_back(f);
     }
     // Where welding left no area of many triangles together, those inside follow those round them.
     while (!left.empty()) {

@@ -42,8 +42,7 @@ struct SmoothMesh {
     [[nodiscard]] std::size_t face_count() const { return patch_of.size(); }
     /// Which corner of a face lies at one of its vertices.
     [[nodiscard]] std::uint32_t corner_at(std::uint32_t face, std::uint32_t vertex) const {
-        const auto& v = topology.faces[face].vertices;
-        return 3 * face + (v[0] == vertex ? 0U : v[1] == vertex ? 1U : 2U);
+        return 3 * face + scene::corner_at(topology.faces[face], vertex);
     }
 };
 

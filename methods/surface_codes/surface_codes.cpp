@@ -10,7 +10,7 @@
 
 #include "methods/surface_codes/patch_labels.h"
 #include "methods/surface_codes/surface_graph.h"
-#include "scene/box.h"
+#include "scene/precision/weld_tolerance.h"
 
 namespace ink::methods {
 namespace {
@@ -182,18 +182,9 @@ std::vector<std::uint32_t> SurfaceCodes::object_codes(const scene::PreparedScene
 }
 
 double SurfaceCodes::largest_object() const {
-    const auto& faces = mesh_->topology.faces;
     double largest = 0;
-    for (std::size_t f = 0; f < faces.size();) {  // in the order of objects
-        scene::Box box;
-        for (const std::uint32_t object = faces[f].object;
-             f < faces.size() && faces[f].object == object;
-             ++f) {
-            for (const std::uint32_t vertex : faces[f].vertices)
-                box.add(mesh_->topology.p_world[vertex]);
-        }
+    for (const scene::Box& box : scene::object_boxes(mesh_->topology))
         largest = std::max(largest, box.diagonal());
-    }
     return largest;
 }
 

@@ -10,25 +10,13 @@
 namespace ink::methods {
 namespace {
 
-/// Whether a face runs through the `i`-th edge of another in the same direction.
-bool is_turned(const scene::Face& face, std::size_t i, const scene::Face& other) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (other.edges[k] == face.edges[i]) return other.vertices[k] == face.vertices[i];
-    }
-    return false;
-}
-
 /// A unit normal per face; those of one patch on the same side of it, whichever way its faces are
 /// turned, as far as it has two sides. 0 where the area is too small for a double.
 std::vector<glm::dvec3> patch_normals(const SmoothMesh& mesh) {
     const scene::Topology& topology = mesh.topology;
     std::vector<glm::dvec3> normals(mesh.face_count());
-    for (std::size_t f = 0; f < normals.size(); ++f) {
-        const auto& [a, b, c] = topology.faces[f].vertices;
-        const glm::dvec3& p = topology.p_world[a];
-        normals[f] =
-            scene::unit_or_zero(glm::cross(topology.p_world[b] - p, topology.p_world[c] - p));
-    }
+    for (std::uint32_t f = 0; f < normals.size(); ++f)
+        normals[f] = scene::unit_or_zero(topology.area_vector(f));
     enum : std::uint8_t { unseen, as_it_is, flipped };
     std::vector<std::uint8_t> side(mesh.face_count(), unseen);
     std::vector<std::uint32_t> due;
@@ -43,7 +31,9 @@ std::vector<glm::dvec3> patch_normals(const SmoothMesh& mesh) {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 const std::uint32_t g = mesh.across[3 * f + i];
                 if (g == SmoothMesh::kNone || side[g] != unseen) continue;
-                const bool turns = is_turned(topology.faces[f], i, topology.faces[g]);
+                const scene::Edge& edge = topology.edges[topology.faces[f].edges[i]];
+                const bool turns = scene::runs_forward(topology.faces[f], edge) ==
+                                   scene::runs_forward(topology.faces[g], edge);
                 side[g] = turns == (side[f] == as_it_is) ? flipped : as_it_is;
                 due.push_back(g);
             }
@@ -169,10 +159,9 @@ void SurfaceGraph::set_costs(const StepCosts& costs) {
                         4);
             }
             edge_costs_[corner] = whole_cost(over);
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                if (topology.faces[g].edges[k] == topology.faces[f].edges[i])
-                    edge_costs_[3 * g + k] = edge_costs_[corner];
-            }
+            const std::uint32_t side =
+                scene::side_at(topology.faces[g], topology.faces[f].edges[i]);
+            edge_costs_[3 * g + side] = edge_costs_[corner];
         }
     }
 }

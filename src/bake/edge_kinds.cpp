@@ -1,13 +1,13 @@
 #include "bake/edge_kinds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
-#include "core/hash.h"
+#include "core/numbering.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
 
@@ -20,14 +20,6 @@ using methods::SmoothMesh;
 constexpr double kFlat_rad = 1e-4;
 /// How much of an edge may be left uncovered: vertices are welded, no better.
 constexpr double kUncovered = 1e-3;
-
-struct PlaceHash {
-    std::size_t operator()(const glm::dvec3& p) const { return core::Hasher().value(p).result(); }
-};
-
-std::uint32_t side_of(const scene::Face& face, std::uint32_t edge) {
-    return face.edges[0] == edge ? 0U : face.edges[1] == edge ? 1U : 2U;
-}
 
 /// What lies on a boundary edge of others: stretches in shares of its length.
 struct Cover {
@@ -56,7 +48,7 @@ class EdgeSorter {
             const auto faces = topology_.faces_of(topology_.edges[e]);
             if (faces.size() != 2) continue;
             const auto& face = topology_.faces[faces[0]];
-            if (mesh_.across[3 * faces[0] + side_of(face, e)] != faces[1]) continue;
+            if (mesh_.across[3 * faces[0] + scene::side_at(face, e)] != faces[1]) continue;
             edges[e] =
                 between(faces[0], faces[1], is_turned(e, faces[0]) == is_turned(e, faces[1]));
         }
@@ -157,35 +149,27 @@ class EdgeSorter {
     std::map<std::uint32_t, Cover> covers_;
 };
 
-/// The edges of triangles that became no face, by the places of their corners.
-class LeftOver {
-  public:
-    LeftOver(const scene::Surface& surface, const scene::Topology& topology) : surface_(surface) {
-        for (const scene::Face& face : topology.faces)
-            for (std::size_t i = 0; i < 3; ++i)
-                vertices_.try_emplace(place(face.triangle, i), face.vertices[i]);
-        for (std::uint32_t e = 0; e < topology.edges.size(); ++e)
-            edges_.try_emplace({topology.edges[e].a, topology.edges[e].b}, e);
+/// The edges of triangles that became no face, between corners where faces have some.
+void find_lost(const scene::Surface& surface, const scene::Topology& topology, SceneEdges& result) {
+    const auto place = [&](std::uint32_t triangle, std::size_t corner) {
+        return surface.p_world[surface.triangles[triangle][corner]] + 0.0;  // -0 is 0
+    };
+    core::Numbering<glm::dvec3> places(topology.p_world.size());
+    for (const scene::Face& face : topology.faces)
+        for (std::size_t i = 0; i < 3; ++i)
+            places.insert(place(face.triangle, i));
+    core::Numbering<std::array<std::uint32_t, 2>> edges(topology.edges.size());
+    for (const scene::Edge& edge : topology.edges)
+        edges.insert({edge.a, edge.b});
+    for (const auto& [triangle, vertices, face] : topology.lost) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = (i + 1) % 3;
+            if (!places.find(place(triangle, i)) || !places.find(place(triangle, next))) continue;
+            const auto [a, b] = std::minmax(vertices[i], vertices[next]);
+            result.of_triangle[triangle][i] = edges.find({a, b}).value_or(SceneEdges::kNone);
+        }
     }
-
-    /// From a corner of the surface's triangle to the next.
-    [[nodiscard]] std::uint32_t edge(std::uint32_t triangle, std::size_t corner) const {
-        const auto from = vertices_.find(place(triangle, corner));
-        const auto to = vertices_.find(place(triangle, (corner + 1) % 3));
-        if (from == vertices_.end() || to == vertices_.end()) return SceneEdges::kNone;
-        const auto found = edges_.find(std::minmax(from->second, to->second));
-        return found == edges_.end() ? SceneEdges::kNone : found->second;
-    }
-
-  private:
-    [[nodiscard]] glm::dvec3 place(std::uint32_t triangle, std::size_t corner) const {
-        return surface_.p_world[surface_.triangles[triangle][corner]] + 0.0;  // -0 is 0
-    }
-
-    const scene::Surface& surface_;
-    std::unordered_map<glm::dvec3, std::uint32_t, PlaceHash> vertices_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges_;
-};
+}
 
 }  // namespace
 
@@ -195,18 +179,9 @@ SceneEdges find_edges(const scene::PreparedScene& scene, const SmoothMesh& mesh)
     result.edges = EdgeSorter(mesh).sorted();
     result.of_triangle.assign(scene::triangle_count(scene),
                               {SceneEdges::kNone, SceneEdges::kNone, SceneEdges::kNone});
-    std::vector<bool> is_face(result.of_triangle.size(), false);
-    for (const scene::Face& face : topology.faces) {
+    for (const scene::Face& face : topology.faces)
         result.of_triangle[face.triangle] = face.edges;
-        is_face[face.triangle] = true;
-    }
-    if (topology.faces.size() < result.of_triangle.size()) {
-        const auto surface = scene.surface();
-        const LeftOver left(*surface, topology);
-        for (std::uint32_t t = 0; t < is_face.size(); ++t)
-            for (std::size_t i = 0; i < 3 && !is_face[t]; ++i)
-                result.of_triangle[t][i] = left.edge(t, i);
-    }
+    if (!topology.lost.empty()) find_lost(*scene.surface(), topology, result);
     // Mirrored triangles were taken with their last two corners swapped: edges the other way round.
     std::size_t t = 0;
     for (const scene::Instance& instance : scene->instances) {

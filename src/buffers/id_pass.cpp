@@ -7,7 +7,6 @@
 #include <numeric>
 #include <string>
 
-#include "buffers/repeated_faces.h"
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
 #include "scene/precision/rounding.h"
@@ -21,21 +20,23 @@ std::vector<std::uint32_t> patch_ids(const scene::PreparedScene& scene,
                                      const PatchOptions& options) {
     const auto welded = scene.topology(options.weld_epsilon);
     const scene::Topology& topology = *welded;
-    core::DisjointSets sets(scene::triangle_count(scene));
+    core::DisjointSets patches(topology.faces.size());
     for (const scene::Edge& edge : topology.edges) {
         if (edge.face_count != 2) continue;
         const auto faces = topology.faces_of(edge);
-        const scene::Face& f = topology.faces[faces[0]];
-        const scene::Face& g = topology.faces[faces[1]];
-        if (!over_objects && f.object != g.object) continue;
+        if (!over_objects && topology.faces[faces[0]].object != topology.faces[faces[1]].object)
+            continue;
         if (scene::is_crease(topology, edge, faces[0], faces[1], options.crease_rad)) continue;
-        sets.join(f.triangle, g.triangle);
+        patches.join(faces[0], faces[1]);
     }
-    for (const RepeatedFace& repeated : repeated_faces(scene, topology))
-        sets.join(repeated.triangle, topology.faces[repeated.face].triangle);
     std::vector<std::uint32_t> ids(scene::triangle_count(scene));
-    for (std::uint32_t t = 0; t < ids.size(); ++t)
-        ids[t] = sets.root(t);
+    std::iota(ids.begin(), ids.end(), 0U);
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f)
+        ids[topology.faces[f].triangle] = topology.faces[patches.root(f)].triangle;
+    for (const scene::LostTriangle& lost : topology.lost) {
+        if (lost.face != scene::LostTriangle::kNoFace)
+            ids[lost.triangle] = ids[topology.faces[lost.face].triangle];
+    }
     return ids;
 }
 

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/numbering.h"
-#include "scene/box.h"
 #include "scene/predicates.h"
 
 namespace ink::buffers {
@@ -94,13 +93,6 @@ VertexWeld weld_vertices(std::span<const glm::dvec3> points, double distance) {
     }
     weld.first_of = places.take();
     return weld;
-}
-
-double diagonal_of(std::span<const glm::dvec3> points) {
-    scene::Box box;
-    for (const glm::dvec3& p : points)
-        box.add(p);
-    return box.diagonal();
 }
 
 WeldedFaces weld_faces(const VertexWeld& weld,

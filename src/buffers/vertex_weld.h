@@ -22,9 +22,6 @@ struct VertexWeld {
 /// Distance 0 joins equal positions only, -0 being 0. O(n) expected. No points give an empty weld.
 [[nodiscard]] VertexWeld weld_vertices(std::span<const glm::dvec3> points, double distance);
 
-/// The diagonal of the box round `points`; 0 for none.
-[[nodiscard]] double diagonal_of(std::span<const glm::dvec3> points);
-
 /// The triangles over places that have an area in `points`, in their order, with what was left out.
 struct WeldedFaces {
     std::vector<scene::Triangle> faces;      ///< into VertexWeld::first_of

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace ink::core {
@@ -28,6 +29,18 @@ class DisjointSets {
         i = root(i);
         j = root(j);
         parent_[std::max(i, j)] = std::min(i, j);
+    }
+
+    /// Per member the number of its set, and how many sets there are: they count from 0, in the
+    /// order of their lowest members.
+    [[nodiscard]] std::pair<std::vector<std::uint32_t>, std::uint32_t> numbers() {
+        std::vector<std::uint32_t> numbers(parent_.size());
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+            const std::uint32_t lowest = root(i);  // numbered before the others
+            numbers[i] = lowest == i ? count++ : numbers[lowest];
+        }
+        return {std::move(numbers), count};
     }
 
   private:

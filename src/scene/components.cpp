@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
+#include <tuple>
 
 #include "core/disjoint_sets.h"
 #include "scene/predicates.h"
@@ -32,24 +32,15 @@ bool is_concave(const Topology& topology, const Edge& edge) {
     return false;
 }
 
-/// The component of each face, numbered in the order of first faces.
-std::vector<std::uint32_t> number_faces(const Topology& topology) {
+/// Faces that hang together over edges.
+core::DisjointSets join_faces(const Topology& topology) {
     core::DisjointSets groups(topology.faces.size());
     for (const Edge& edge : topology.edges) {
         const auto faces = topology.faces_of(edge);
         for (const std::uint32_t face : faces)
             groups.join(faces[0], face);
     }
-    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> number(topology.faces.size(), kNone);
-    std::vector<std::uint32_t> component_of(topology.faces.size());
-    std::uint32_t next = 0;
-    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
-        std::uint32_t& of_root = number[groups.root(f)];
-        if (of_root == kNone) of_root = next++;
-        component_of[f] = of_root;
-    }
-    return component_of;
+    return groups;
 }
 
 void add_face(const Topology& topology, const Face& face, Component& component, Tally& tally) {
@@ -76,10 +67,7 @@ void add_edge(const Topology& topology, const Edge& edge, Component& component, 
     ++tally.edges;
     component.is_closed = component.is_closed && edge.face_count == 2;
     if (edge.face_count != 2) return;
-    const auto faces = topology.faces_of(edge);
-    const bool is_opposite = runs_forward(topology.faces[faces[0]], edge) !=
-                             runs_forward(topology.faces[faces[1]], edge);
-    component.is_consistent = component.is_consistent && is_opposite;
+    component.is_consistent = component.is_consistent && is_consistent(topology, edge);
     // One is enough, and the question is the dearest.
     tally.is_bent_inwards = tally.is_bent_inwards || is_concave(topology, edge);
 }
@@ -122,10 +110,10 @@ bool have_common_room(const Component& one, const Component& other) {
 }  // namespace
 
 Components find_components(const Topology& topology) {
-    Components found{{}, number_faces(topology)};
+    Components found;
+    std::size_t count = 0;
+    std::tie(found.component_of, count) = join_faces(topology).numbers();
     const std::vector<std::uint32_t>& component_of = found.component_of;
-    const std::size_t count =
-        component_of.empty() ? 0 : 1 + *std::max_element(component_of.begin(), component_of.end());
     std::vector<Component>& components = found.components;
     components.assign(count, {.is_closed = true, .is_consistent = true});
     std::vector<Tally> tallies(count);

@@ -14,6 +14,7 @@
 #include "scene/box.h"
 #include "scene/components.h"
 #include "scene/near_points.h"
+#include "scene/precision/weld_tolerance.h"
 
 namespace ink::scene {
 namespace {
@@ -30,12 +31,11 @@ struct Sheet {
     std::uint32_t component = 0;
 };
 
-Sheet sheet_of(const Topology& topology, const Face& face) {
-    const auto& [a, b, c] = face.vertices;
-    const glm::dvec3 p = topology.p_world[a];
-    glm::dvec3 n = glm::normalize(glm::cross(topology.p_world[b] - p, topology.p_world[c] - p));
+Sheet sheet_of(const Topology& topology, std::uint32_t f, std::uint32_t component) {
+    glm::dvec3 n = glm::normalize(topology.area_vector(f));
     Sheet sheet;
-    sheet.face = &face;
+    sheet.face = &topology.faces[f];
+    sheet.component = component;
     std::array<int, 3>& d = sheet.direction;
     for (int i = 0; i < 3; ++i)
         d[static_cast<std::size_t>(i)] = static_cast<int>(std::lround(n[i] * kSteps));
@@ -46,7 +46,7 @@ Sheet sheet_of(const Topology& topology, const Face& face) {
     }
     // The rounded direction, so that faces of one plane get one offset.
     const glm::dvec3 rounded = glm::normalize(glm::dvec3(d[0], d[1], d[2]));
-    sheet.offset = glm::dot(rounded, p);
+    sheet.offset = glm::dot(rounded, topology.p_world[sheet.face->vertices[0]]);
     return sheet;
 }
 
@@ -75,10 +75,8 @@ bool stand_before_each_other(const Topology& topology, const Sheet& a, const She
 NearSheets find_near_sheets(const Topology& topology, const Components& components, double radius) {
     std::vector<Sheet> sheets;
     sheets.reserve(topology.faces.size());
-    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
-        sheets.push_back(sheet_of(topology, topology.faces[f]));
-        sheets.back().component = components.component_of[f];
-    }
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f)
+        sheets.push_back(sheet_of(topology, f, components.component_of[f]));
     std::ranges::sort(
         sheets, {}, [](const Sheet& a) { return std::tie(a.direction, a.offset, a.face); });
     NearSheets found;
@@ -135,8 +133,7 @@ void add_pair_edge(const Topology& topology, const Edge& edge, SceneStatistics& 
     add(statistics.smooth, length_world);
     add_deviation(statistics, deviation);
     statistics.largest_smooth_rad = std::max(statistics.largest_smooth_rad, deviation);
-    if (runs_forward(face, edge) == runs_forward(other, edge))
-        add(statistics.inside_out, length_world);
+    if (!is_consistent(topology, edge)) add(statistics.inside_out, length_world);
 }
 
 void count_edges(const Topology& topology, SceneStatistics& statistics) {
@@ -183,14 +180,9 @@ std::size_t count_cracked_corners(const Topology& topology) {
 }
 
 /// Half the diagonal of each object's own box, the largest over the smallest that is not 0.
-double extent_ratio(const Topology& topology, std::size_t objects) {
-    std::vector<Box> boxes(objects);
-    for (const Face& face : topology.faces) {
-        for (const std::uint32_t v : face.vertices)
-            boxes[face.object].add(topology.p_world[v]);
-    }
+double extent_ratio(const Topology& topology) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Box& box : boxes) {
+    for (const Box& box : object_boxes(topology)) {
         if (box.is_empty()) continue;
         const double size = box.diagonal();
         least = std::min(least, size);
@@ -209,12 +201,8 @@ double thin_share(const Topology& topology,
         double area = 0, lines = 0;
     };
     std::vector<Size> sizes(components.components.size());
-    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
-        const auto& [a, b, c] = topology.faces[f].vertices;
-        const glm::dvec3 p = topology.p_world[a];
-        sizes[components.component_of[f]].area +=
-            glm::length(glm::cross(topology.p_world[b] - p, topology.p_world[c] - p)) / 2;
-    }
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f)
+        sizes[components.component_of[f]].area += glm::length(topology.area_vector(f)) / 2;
     for (const Edge& edge : topology.edges) {
         const auto faces = topology.faces_of(edge);
         if (edge.face_count != 2 || deviation_rad(topology, edge, faces[0], faces[1]) >= crease_rad)
@@ -261,7 +249,7 @@ SceneStatistics make_scene_statistics(const PreparedScene& scene, double crease_
     statistics.crease_proposal = propose_crease(topology);
     count_components(topology, statistics);
     statistics.cracked_corners = count_cracked_corners(topology);
-    statistics.extent_ratio = extent_ratio(topology, scene->instances.size());
+    statistics.extent_ratio = extent_ratio(topology);
     return statistics;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -40,27 +39,17 @@ void for_each_triangle(const Scene& scene, Visit visit) {
     }
 }
 
-std::uint32_t corner_at(const Face& face, std::uint32_t vertex) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == vertex) return i;
-    }
-    assert(false && "the face does not touch the vertex");
-    return 0;
-}
-
 /// Corner 3f+i of every face, joined across the edges that are smooth: corners of a set share a
 /// normal.
 core::DisjointSets join_smooth_corners(const Topology& topology, double crease_rad) {
     core::DisjointSets sets(topology.faces.size() * 3);
     for (const Edge& edge : topology.edges) {
-        if (edge.face_count != 2) continue;
+        if (edge.face_count != 2 || !is_consistent(topology, edge)) continue;
         const auto faces = topology.faces_of(edge);
-        const Face& f = topology.faces[faces[0]];
-        const Face& g = topology.faces[faces[1]];
-        if (runs_forward(f, edge) == runs_forward(g, edge)) continue;
         if (is_crease(topology, edge, faces[0], faces[1], crease_rad)) continue;
         for (const std::uint32_t v : {edge.a, edge.b}) {
-            sets.join(3 * faces[0] + corner_at(f, v), 3 * faces[1] + corner_at(g, v));
+            sets.join(3 * faces[0] + corner_at(topology.faces[faces[0]], v),
+                      3 * faces[1] + corner_at(topology.faces[faces[1]], v));
         }
     }
     return sets;

@@ -67,6 +67,13 @@ class Moves {
     [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p) {
         return has_any() ? moved_[places_.insert(p).first] : p;
     }
+    /// Whether they leave the corners of a triangle where they are.
+    [[nodiscard]] bool leave(const Instance& instance, const Mesh& mesh, const Triangle& t) {
+        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+            const glm::dvec3 p = place(instance, mesh.positions[v]);
+            return (*this)(p) == p;
+        });
+    }
 
   private:
     /// The places that the triangles of an instance use, each once.
@@ -110,7 +117,7 @@ bool has_area(const Instance& instance, const Mesh& mesh, const Triangle& t) {
                          place(instance, mesh.positions[t[2]]));
 }
 
-/// Places, welds and filters the triangles; fills p_world, faces and the counts of what was
+/// Places, welds and filters the triangles; fills p_world, faces, lost and the counts of what was
 /// dropped.
 void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     const std::size_t count = triangle_count(scene);
@@ -154,11 +161,17 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                 if (moves.has_any() && has_area(instance, mesh, mesh.triangles[t])) {
                     ++topology.counts.collapsed;
                 }
-            } else if (!seen.insert(sorted(face.vertices)).second) {
-                ++topology.counts.duplicate;
-            } else {
-                topology.faces.push_back(face);
+                topology.lost.push_back({triangle_index, face.vertices});
+                continue;
             }
+            const auto [same, is_new] = seen.insert(sorted(face.vertices));
+            if (is_new) {
+                topology.faces.push_back(face);
+                continue;
+            }
+            ++topology.counts.duplicate;
+            topology.lost.push_back({triangle_index, face.vertices});
+            if (moves.leave(instance, mesh, mesh.triangles[t])) topology.lost.back().face = same;
         }
     }
     topology.p_world = std::move(points.keys());
@@ -169,12 +182,8 @@ void count_edges(Topology& topology) {
     for (const Edge& edge : topology.edges) {
         if (edge.face_count == 1) ++topology.counts.boundary_edges;
         if (edge.face_count > 2) ++topology.counts.nonmanifold_edges;
-        if (edge.face_count != 2) continue;
-        const auto faces = topology.faces_of(edge);
-        if (runs_forward(topology.faces[faces[0]], edge) ==
-            runs_forward(topology.faces[faces[1]], edge)) {
+        if (edge.face_count == 2 && !is_consistent(topology, edge))
             ++topology.counts.inconsistent_edges;
-        }
     }
 }
 
@@ -208,11 +217,10 @@ void build_edges(Topology& topology) {
     }
 }
 
-/// The direction from the edge into the face, orthogonal to the edge; not normalised.
-glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) {
-    const glm::dvec3 a = topology.p_world[edge.a];
-    const glm::dvec3 along = glm::normalize(topology.p_world[edge.b] - a);
-    const glm::dvec3 to_opposite = topology.p_world[opposite_vertex(face, edge)] - a;
+/// The direction from the edge into a face, orthogonal to the edge; not normalised.
+glm::dvec3 inward(const std::array<glm::dvec3, 3>& face) {
+    const glm::dvec3 along = glm::normalize(face[1] - face[0]);
+    const glm::dvec3 to_opposite = face[2] - face[0];
     return to_opposite - along * glm::dot(along, to_opposite);
 }
 
@@ -220,9 +228,11 @@ double deviation_between(const Topology& topology,
                          const Edge& edge,
                          std::uint32_t face0,
                          std::uint32_t face1) {
-    const glm::dvec3 d0 = inward(topology, edge, topology.faces[face0]);
-    const glm::dvec3 d1 = inward(topology, edge, topology.faces[face1]);
-    return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
+    const auto& p = topology.p_world;
+    const auto corners = [&](std::uint32_t face) -> std::array<glm::dvec3, 3> {
+        return {p[edge.a], p[edge.b], p[opposite_vertex(topology.faces[face], edge)]};
+    };
+    return deviation_rad(corners(face0), corners(face1));
 }
 
 /// Once, since many ask for them.
@@ -254,6 +264,12 @@ bool runs_forward(const Face& face, const Edge& edge) {
     return false;
 }
 
+bool is_consistent(const Topology& topology, const Edge& edge) {
+    const auto faces = topology.faces_of(edge);
+    return runs_forward(topology.faces[faces[0]], edge) !=
+           runs_forward(topology.faces[faces[1]], edge);
+}
+
 std::uint32_t opposite_vertex(const Face& face, const Edge& edge) {
     const auto& vertices = face.vertices;
     const auto found = std::find_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
@@ -269,6 +285,11 @@ double deviation_rad(const Topology& topology,
                      std::uint32_t face1) {
     if (edge.face_count == 2) return edge.deviation_rad;
     return deviation_between(topology, edge, face0, face1);
+}
+
+double deviation_rad(const std::array<glm::dvec3, 3>& one, const std::array<glm::dvec3, 3>& other) {
+    const glm::dvec3 a = inward(one), b = inward(other);
+    return std::numbers::pi - std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 }  // namespace ink::scene

@@ -21,6 +21,17 @@ struct Face {
     std::uint8_t marked_sides = 0;            ///< as Mesh::marked_sides; bit i is edges[i]
 };
 
+/// A triangle that became no face.
+struct LostTriangle {
+    static constexpr std::uint32_t kNoFace = 0xffffffffU;
+
+    std::uint32_t triangle = 0;               ///< global triangle index
+    std::array<std::uint32_t, 3> vertices{};  ///< where its corners came to be, as in Face
+    /// The face that has the same corners, if nothing moved them: equally deep, either may be the
+    /// one that is seen.
+    std::uint32_t face = kNoFace;
+};
+
 /// An undirected edge of the welded scene, a < b.
 struct Edge {
     std::uint32_t a = 0;
@@ -56,6 +67,7 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<Edge> edges;
     std::vector<std::uint32_t> edge_faces;  ///< face indices, grouped by edge, ascending in each
+    std::vector<LostTriangle> lost;         ///< by triangle
     TopologyCounts counts;
 
     [[nodiscard]] std::span<const std::uint32_t> faces_of(const Edge& edge) const {
@@ -90,6 +102,18 @@ struct WeldOptions {
 /// Whether the face goes round its edge from `a` to `b`.
 [[nodiscard]] bool runs_forward(const Face& face, const Edge& edge);
 
+/// Whether the two faces of an edge run through it in opposite directions: neither has its back
+/// where the other has its front.
+[[nodiscard]] bool is_consistent(const Topology& topology, const Edge& edge);
+
+/// Which corner of a face lies at one of its vertices, and which of its edges one of them is.
+[[nodiscard]] inline std::uint32_t corner_at(const Face& face, std::uint32_t vertex) {
+    return face.vertices[0] == vertex ? 0U : face.vertices[1] == vertex ? 1U : 2U;
+}
+[[nodiscard]] inline std::uint32_t side_at(const Face& face, std::uint32_t edge) {
+    return face.edges[0] == edge ? 0U : face.edges[1] == edge ? 1U : 2U;
+}
+
 /// The corner of a face that one of its edges leaves out.
 [[nodiscard]] std::uint32_t opposite_vertex(const Face& face, const Edge& edge);
 
@@ -99,5 +123,8 @@ struct WeldOptions {
                                    const Edge& edge,
                                    std::uint32_t face0,
                                    std::uint32_t face1);
+/// The same of two faces given by the ends of the edge, as either has it, and their third corners.
+[[nodiscard]] double deviation_rad(const std::array<glm::dvec3, 3>& one,
+                                   const std::array<glm::dvec3, 3>& other);
 
 }  // namespace ink::scene

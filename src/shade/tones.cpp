@@ -9,14 +9,6 @@
 namespace ink::shade {
 namespace {
 
-/// Two faces that run through the edge in opposite directions: what a surface goes on over.
-bool goes_on(const scene::Topology& topology, const scene::Edge& edge) {
-    if (edge.face_count != 2) return false;
-    const auto faces = topology.faces_of(edge);
-    return runs_forward(topology.faces[faces[0]], edge) !=
-           runs_forward(topology.faces[faces[1]], edge);
-}
-
 /// Sums weighted by area: of what a spot is made.
 struct PatchSum {
     glm::dvec3 p_world{0};
@@ -126,7 +118,7 @@ UniformSpots patch_spots(const scene::Scene& scene, double crease_rad) {
     core::DisjointSets groups(topology.faces.size());
     std::vector<std::uint32_t> smooth;  // a face at each edge beyond which the surface bends on
     for (const scene::Edge& edge : topology.edges) {
-        if (!goes_on(topology, edge)) continue;
+        if (edge.face_count != 2 || !is_consistent(topology, edge)) continue;
         const auto faces = topology.faces_of(edge);
         const double deviation = scene::deviation_rad(topology, edge, faces[0], faces[1]);
         if (deviation < kFlat_rad) {

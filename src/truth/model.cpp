@@ -41,13 +41,7 @@ void join_patches(Model& model) {
         const auto faces = topology.faces_of(topology.edges[e]);
         patches.join(faces[0], faces[1]);
     }
-    // The lowest face is the root, so numbers are given before they are asked for.
-    model.patch.resize(topology.faces.size());
-    std::uint32_t count = 0;
-    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
-        const std::uint32_t root = patches.root(f);
-        model.patch[f] = root == f ? count++ : model.patch[root];
-    }
+    model.patch = patches.numbers().first;
 }
 
 std::size_t count_defects(const Model& model) {

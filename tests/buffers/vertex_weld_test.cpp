@@ -31,12 +31,6 @@ TEST(VertexWeld, HugeCoordinatesAndNoneAtAllAreWeldedToo) {
     const std::vector<glm::dvec3> points{{1e30, 0, 0}, {1e30, 0, 0}, {-1e30, 0, 0}};
     EXPECT_EQ(weld_vertices(points, 1e-30).place_of, (Places{0, 0, 1}));
     EXPECT_TRUE(weld_vertices({}, 1).first_of.empty());
-    EXPECT_EQ(diagonal_of({}), 0);
-}
-
-TEST(VertexWeld, DiagonalIsThatOfTheBox) {
-    const std::vector<glm::dvec3> points{{0, 0, 0}, {2, 1, 0}, {1, 3, 6}};
-    EXPECT_EQ(diagonal_of(points), 7);  // of a box 2 x 3 x 6
 }
 
 TEST(WeldFaces, DropsWhatHasNoAreaAndOnRequestWhatIsThereTwice) {

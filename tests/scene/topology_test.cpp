@@ -54,6 +54,23 @@ TEST(Weld, CountsWhatItDrops) {
     EXPECT_EQ(topology.counts.boundary_edges, 3U);
 }
 
+TEST(Weld, ListsTheTrianglesThatAreNoFacesAndWhichOnesTheyRepeat) {
+    const Scene scene =
+        scene_of(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1e-3F, 0}},
+                           {{0, 0, 1}, {0, 1, 2}, {2, 1, 0}, {3, 1, 2}, {0, 3, 1}}));
+    const Topology exact = weld(scene);
+    ASSERT_EQ(exact.lost.size(), 2U);
+    EXPECT_EQ(exact.lost[0].triangle, 0U);
+    EXPECT_EQ(exact.lost[0].face, LostTriangle::kNoFace);
+    EXPECT_EQ(exact.lost[1].triangle, 2U);
+    EXPECT_EQ(exact.lost[1].face, 0U);
+    const Topology joined = weld(scene, {.epsilon = 0.01});
+    ASSERT_EQ(joined.lost.size(), 4U);
+    EXPECT_EQ(joined.lost[2].triangle, 3U);  // alike only because a corner moved
+    EXPECT_EQ(joined.lost[2].face, LostTriangle::kNoFace);
+    EXPECT_EQ(joined.lost[2].vertices, joined.faces[0].vertices);
+}
+
 TEST(Weld, NonManifoldAndInconsistentEdgesAreCounted) {
     // A fin: three triangles on the edge (0,1); and two that both run 0 -> 1.
     const std::vector<glm::vec3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};

@@ -2,35 +2,32 @@
 
 #include <algorithm>
 
-#include "scene/box.h"
-
 namespace ink::scene {
 namespace {
 
 constexpr double kRelativeTolerance = 1e-6;
 
-/// What is known of an object's vertices.
-struct Extent {
-    Box box;
-    double rounding = 0;
-};
-
 }  // namespace
 
-std::vector<double> weld_tolerances(const Topology& topology) {
-    std::vector<Extent> extents;
+std::vector<Box> object_boxes(const Topology& topology) {
+    std::vector<Box> boxes;
     for (const Face& face : topology.faces) {
-        if (face.object >= extents.size()) extents.resize(face.object + 1);
-        Extent& extent = extents[face.object];
-        for (const std::uint32_t v : face.vertices) {
-            extent.box.add(topology.p_world[v]);
-            extent.rounding = std::max(extent.rounding, topology.rounding_world[v]);
-        }
+        if (face.object >= boxes.size()) boxes.resize(face.object + 1);
+        for (const std::uint32_t v : face.vertices)
+            boxes[face.object].add(topology.p_world[v]);
     }
-    std::vector<double> tolerances(extents.size());
-    std::transform(extents.begin(), extents.end(), tolerances.begin(), [](const Extent& extent) {
-        return std::max(kRelativeTolerance * extent.box.diagonal(), 2 * extent.rounding);
-    });
+    return boxes;
+}
+
+std::vector<double> weld_tolerances(const Topology& topology) {
+    std::vector<double> tolerances;
+    for (const Box& box : object_boxes(topology))
+        tolerances.push_back(kRelativeTolerance * box.diagonal());
+    for (const Face& face : topology.faces) {
+        for (const std::uint32_t v : face.vertices)
+            tolerances[face.object] =
+                std::max(tolerances[face.object], 2 * topology.rounding_world[v]);
+    }
     return tolerances;
 }
 
