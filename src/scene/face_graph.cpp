@@ -17,6 +17,7 @@ constexpr std::uint32_t kFree = 0xffffffffU;
 /// A corner may serve two objects that touch; it is then at a place of either.
 void number_places(const Surface& surface, FaceGraph& graph) {
     core::Numbering<std::array<double, 4>> places(surface.p_world.size());
+    places.keys().reserve(surface.p_world.size());
     std::vector<std::uint32_t> last_object(surface.p_world.size(), kFree);
     std::vector<std::uint32_t> last_place(surface.p_world.size());
     graph.places.reserve(surface.triangles.size() * 3);
@@ -146,8 +147,9 @@ OpenEdges join_edges(const std::vector<bool>& has_area, FaceGraph& graph) {
 
 void number_solids(const std::vector<bool>& has_area, const OpenEdges& edges, FaceGraph& graph) {
     core::DisjointSets solids(has_area.size());
+    // The triangles of a ring ascend but for one step.
     for (std::uint32_t side = 0; side < graph.across.size(); ++side)
-        solids.join(side / 3, graph.across[side]);
+        if (graph.across[side] > side / 3) solids.join(side / 3, graph.across[side]);
     for (std::uint32_t t = 0; t < has_area.size(); ++t) {
         std::uint32_t solid = FaceGraph::kNoSolid;
         if (has_area[t]) {
