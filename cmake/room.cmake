@@ -1,8 +1,9 @@
-# ink_room(NAME [COLD] SOURCES ... LINKS ... PRIVATE_LINKS ...): a room is a folder, a static library and an alias ink::NAME.
+# ink_room(NAME [COLD] [HOT] SOURCES ... [ALONE ...] LINKS ... PRIVATE_LINKS ...): a room is a folder, a static library and an alias ink::NAME.
 # Includes are by path from src/ ("raster/pass/pass.h") or from the root ("method/method.h").
+# The sources of HOT rooms, and those ALONE, are compiled one by one, others in units.
 function(ink_room name)
-    cmake_parse_arguments(ROOM "COLD" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
-    add_library(ink_${name} STATIC ${ROOM_SOURCES})
+    cmake_parse_arguments(ROOM "COLD;HOT" "" "SOURCES;ALONE;LINKS;PRIVATE_LINKS" ${ARGN})
+    add_library(ink_${name} STATIC ${ROOM_SOURCES} ${ROOM_ALONE})
     add_library(ink::${name} ALIAS ink_${name})
     target_include_directories(ink_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
     target_link_libraries(ink_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
@@ -11,20 +12,39 @@ function(ink_room name)
     else()
         ink_use_precompiled(ink_${name} room)
     endif()
+    if(NOT ROOM_HOT)
+        ink_use_units(ink_${name} 10)
+    endif()
+    set_source_files_properties(${ROOM_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# ink_test(ROOM SOURCES ... LINKS ... [SLOW NAME=FILTER...] [NIGHTLY NAME=FILTER...]): the tests of one room,
+# Compiles the sources of TARGET so many at a time: headers are read, and templates made, once for all of them.
+# Kernels, which include themselves again for each kind of processor, stay alone. Preset `dev` compiles each by itself, where a
+# missing include is an error. So names without linkage differ within a room.
+function(ink_use_units target count)
+    if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        return()
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
+    get_target_property(kernels ${target} SOURCES)
+    list(FILTER kernels INCLUDE REGEX "_kernel\\.cpp$")
+    set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# ink_test(ROOM SOURCES ... [ALONE ...] LINKS ... [SLOW NAME=FILTER...] [NIGHTLY NAME=FILTER...]): the tests of one room,
 # one program. All but those that the filters (gtest's) name run in one process, the case ROOM/quick; a failure names
 # its TEST. Each filter is a case beside it, ROOM/NAME, with the label `slow`, or `nightly-NAME` for those that not every
-# change must pass: NAME is a part of .ci/night.
+# change must pass: NAME is a part of .ci/night. Those of SOURCES that are ALONE, too, are compiled one by one.
 function(ink_test room)
-    cmake_parse_arguments(TEST "" "" "SOURCES;LINKS;SLOW;NIGHTLY" ${ARGN})
+    cmake_parse_arguments(TEST "" "" "SOURCES;ALONE;LINKS;SLOW;NIGHTLY" ${ARGN})
     add_executable(test_${room} ${TEST_SOURCES})
     target_include_directories(test_${room} PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_definitions(test_${room} PRIVATE
         INK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" INK_BINARY_DIR="${CMAKE_BINARY_DIR}")
     target_link_libraries(test_${room} PRIVATE ${TEST_LINKS} GTest::gmock GTest::gtest_main)
     ink_use_precompiled(test_${room} test)
+    ink_use_units(test_${room} 8)
+    set_source_files_properties(${TEST_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
     set(apart "-")
     foreach(label slow nightly)

@@ -185,7 +185,7 @@ method::MethodConfig antialiased(const method::MethodConfig& config,
         return std::make_unique<GreyMethod>(base.info->make(base.settings), resolve);
     };
     info->complete = [base, word, name = info->name](const core::ParamValues& values) {
-        core::ParamValues all = grey_table().write(grey_table().read(values, name));
+        core::ParamValues all = grey_table().complete(values, name);
         core::ParamValues of_samples = base.info->complete(base.settings);
         all["sample_threshold"] = of_samples.at("threshold");
         all["antialias"] = word;

@@ -88,8 +88,8 @@ class Auto : public method::Method {
             [&] { return scene::make_scene_statistics(scene, glm::radians(params_.crease_deg)); });
         plan_ = plan_scene(*statistics, params_.times_ids());
         if (plan_.method == before) return false;
-        const auto all = table().write(params_);
-        settings_ = {{"crease_deg", all.at("crease_deg")}, {"threshold", all.at("threshold")}};
+        settings_ = {{"crease_deg", fmt::format("{}", params_.crease_deg)},
+                     {"threshold", fmt::format("{}", params_.threshold)}};
         chosen_ = find_method(plan_.method).make(settings_);
         return true;
     }

@@ -12,18 +12,18 @@ namespace ink::methods {
 namespace {
 
 /// One side of a triangle.
-struct Side {
+struct FaceSide {
     std::uint32_t a = 0;  ///< a < b
     std::uint32_t b = 0;
     std::uint32_t face = 0;
 
-    [[nodiscard]] bool is_same_edge(const Side& other) const {
+    [[nodiscard]] bool is_same_edge(const FaceSide& other) const {
         return a == other.a && b == other.b;
     }
 };
 
-std::vector<Side> sides_of(std::span<const scene::Triangle> triangles) {
-    std::vector<Side> sides;
+std::vector<FaceSide> sides_of(std::span<const scene::Triangle> triangles) {
+    std::vector<FaceSide> sides;
     sides.reserve(triangles.size() * 3);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -34,15 +34,15 @@ std::vector<Side> sides_of(std::span<const scene::Triangle> triangles) {
     return sides;
 }
 
-ListedEdge boundary(const Side& side) {
+ListedEdge boundary(const FaceSide& side) {
     return {side.a, side.b, {side.face, kNoFace}};
 }
 
-ListedEdge joined(const Side& first, const Side& second) {
+ListedEdge joined(const FaceSide& first, const FaceSide& second) {
     return {first.a, first.b, {first.face, second.face}};
 }
 
-void all_pairs(const std::vector<Side>& sides, EdgeListing& listing) {
+void all_pairs(const std::vector<FaceSide>& sides, EdgeListing& listing) {
     std::vector<bool> has_mate(sides.size(), false);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         std::size_t mate = sides.size();
@@ -61,9 +61,9 @@ void all_pairs(const std::vector<Side>& sides, EdgeListing& listing) {
     listing.counts.longest = sides.size();
 }
 
-void temp_list(const std::vector<Side>& sides, EdgeListing& listing) {
-    std::vector<Side> waiting;
-    for (const Side& side : sides) {
+void temp_list(const std::vector<FaceSide>& sides, EdgeListing& listing) {
+    std::vector<FaceSide> waiting;
+    for (const FaceSide& side : sides) {
         std::size_t i = waiting.size();
         while (i > 0) {
             ++listing.counts.comparisons;
@@ -79,11 +79,11 @@ void temp_list(const std::vector<Side>& sides, EdgeListing& listing) {
                 std::max<std::uint64_t>(listing.counts.longest, waiting.size());
         }
     }
-    for (const Side& side : waiting)
+    for (const FaceSide& side : waiting)
         listing.edges.push_back(boundary(side));
 }
 
-void hash(const std::vector<Side>& sides, EdgeListing& listing) {
+void hash(const std::vector<FaceSide>& sides, EdgeListing& listing) {
     constexpr std::uint32_t kFree = 0xffffffffU;
     struct Slot {
         std::uint32_t last = kFree;  ///< the latest side of this edge
@@ -93,7 +93,7 @@ void hash(const std::vector<Side>& sides, EdgeListing& listing) {
     const std::size_t mask = slots.size() - 1;
     std::uint64_t waiting = 0;
     for (std::uint32_t i = 0; i < sides.size(); ++i) {
-        const Side& side = sides[i];
+        const FaceSide& side = sides[i];
         const auto key = static_cast<std::uint64_t>(side.a) << 32 | side.b;
         std::size_t at = core::Hasher().value(key).result() & mask;
         while (slots[at].last != kFree) {
@@ -117,7 +117,7 @@ void hash(const std::vector<Side>& sides, EdgeListing& listing) {
 }  // namespace
 
 EdgeListing list_edges(std::span<const scene::Triangle> triangles, EdgeBuilder builder) {
-    const std::vector<Side> sides = sides_of(triangles);
+    const std::vector<FaceSide> sides = sides_of(triangles);
     EdgeListing listing;
     listing.counts.lookups = sides.size();
     constexpr std::array kBuilders = {all_pairs, temp_list, hash};

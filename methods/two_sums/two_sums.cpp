@@ -35,26 +35,31 @@ class TwoSums : public buffers::PackedBuffer {
     };
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
-        constexpr const char* kChannels[][2] = {{"depth", "depth 0..1"},
-                                                {"nx", "the normal's x"},
-                                                {"ny", "the normal's y"},
-                                                {"nz", "the normal's z"}};
-        for (const auto& [byte, spans] :
-             {std::pair("first", &Params::first), {"second", &Params::second}}) {
-            for (std::size_t i = 0; i < 4; ++i) {
-                table.number(
-                    [ spans = spans, i ](auto& of) -> auto& { return (of.*spans)[i]; },
-                    fmt::format("{}_{}", byte, kChannels[i][0]),
-                    {-255, 255},
-                    "code",
-                    fmt::format("Codes of the {} byte that {} spans.", byte, kChannels[i][1]));
-            }
-        }
+        add_spans<&Params::first>(table, "first");
+        add_spans<&Params::second>(table, "second");
         return buffers::add_pack_params(table, 255);
     }
     explicit TwoSums(const Params& params) : PackedBuffer(params, layout(params)) {}
 
   private:
+    template <Spans Params::*kByte>
+    static void add_spans(core::ParamTable<Params>& table, const char* byte) {
+        const auto add = [&](auto field, const char* channel, const char* meaning) {
+            table.number(field,
+                         fmt::format("{}_{}", byte, channel),
+                         {-255, 255},
+                         "code",
+                         fmt::format("Codes of the {} byte that {} spans.", byte, meaning));
+        };
+        add(
+            [](auto& of) -> auto& { return (of.*kByte)[0]; }, "depth", "depth 0..1");
+        add(
+            [](auto& of) -> auto& { return (of.*kByte)[1]; }, "nx", "the normal's x");
+        add(
+            [](auto& of) -> auto& { return (of.*kByte)[2]; }, "ny", "the normal's y");
+        add(
+            [](auto& of) -> auto& { return (of.*kByte)[3]; }, "nz", "the normal's z");
+    }
     static buffers::CodeLayout layout(const Params& p) {
         return {.planes = 2,
                 .fields = {{.ranges = ranges(p.first)}, {.ranges = ranges(p.second), .plane = 1}}};

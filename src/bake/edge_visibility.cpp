@@ -9,7 +9,7 @@
 namespace ink::bake {
 namespace {
 
-constexpr int kFloat = 5126, kUnsignedByte = 5121;
+constexpr int kFloat = 5126, kVisibilityType = 5121;  // bytes
 
 constexpr import::AccessorRule kPosition{"POSITION", "VEC3", import::kFloat | import::kSmall};
 
@@ -151,7 +151,7 @@ EdgeCounts add_edges(GltfEdit& edit,
         Json extension = {
             {"visibility",
              edit.add_accessor({{"bufferView", edit.add_view(bytes, 0, GltfEdit::Use::other)},
-                                {"componentType", kUnsignedByte},
+                                {"componentType", kVisibilityType},
                                 {"count", bytes.size()},
                                 {"type", "SCALAR"}})}};
         const std::vector<float> pairs = normals_of(primitive, own, values, edges, normals);

@@ -23,13 +23,12 @@ namespace ink::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr int kInvalid = 1;  ///< also where no cell has a score
 constexpr int kUnscored = 3;
 
-json methods_json(const std::vector<summary::MethodSummary>& summaries) {
-    return list_of(summaries, [](const summary::MethodSummary& s) -> json {
+nlohmann::json methods_json(const std::vector<summary::MethodSummary>& summaries) {
+    return list_of(summaries, [](const summary::MethodSummary& s) -> nlohmann::json {
         return {{"method", s.method},
                 {"views", s.views},
                 {"failed", s.failed},
@@ -44,10 +43,10 @@ json methods_json(const std::vector<summary::MethodSummary>& summaries) {
     });
 }
 
-json answer_json(const summary::Comparison& comparison) {
+nlohmann::json answer_json(const summary::Comparison& comparison) {
     const summary::Answer answer = comparison.answer();
     const auto name_of = [](const summary::MethodSummary* s) {
-        return s == nullptr ? json(nullptr) : json(s->method);
+        return s == nullptr ? nlohmann::json(nullptr) : nlohmann::json(s->method);
     };
     return {{"method", name_of(answer.method)},
             {"most_exact", name_of(answer.most_exact)},
@@ -57,8 +56,8 @@ json answer_json(const summary::Comparison& comparison) {
 
 using UnscoredCells = std::vector<summary::Unscored>;
 
-json unscored_json(const UnscoredCells& cells) {
-    return list_of(cells, [](const summary::Unscored& cell) -> json {
+nlohmann::json unscored_json(const UnscoredCells& cells) {
+    return list_of(cells, [](const summary::Unscored& cell) -> nlohmann::json {
         return {{"scene", cell.scene},
                 {"view", cell.view},
                 {"method", cell.method},
@@ -67,9 +66,9 @@ json unscored_json(const UnscoredCells& cells) {
     });
 }
 
-json result_json(const experiment::RunData& run,
-                 const UnscoredCells& unscored,
-                 const fs::path& page) {
+nlohmann::json result_json(const experiment::RunData& run,
+                           const UnscoredCells& unscored,
+                           const fs::path& page) {
     const experiment::RunRecord& record = run.record;
     return {{"run", run.folder.string()},
             {"kind", record.kind},

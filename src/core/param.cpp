@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -58,6 +59,10 @@ int edit_distance(std::string_view a, std::string_view b) {
         }
     }
     return row.back();
+}
+
+void* place_of(const ParamField& field, void* whole) {
+    return field.find != nullptr ? field.find(whole) : static_cast<char*>(whole) + field.offset;
 }
 
 }  // namespace
@@ -130,6 +135,94 @@ void check_known_params(const std::vector<Param>& params,
                         params.empty() ? "no parameters" : known_names(names_of(params), name));
         }
     }
+}
+
+ParamRows::ParamRows() = default;
+ParamRows::ParamRows(const ParamRows&) = default;
+ParamRows::~ParamRows() = default;
+
+void ParamRows::add(Param param, const ParamField& field) {
+    param.default_value = field.default_value;
+    params_.push_back(std::move(param));
+    rows_.push_back({field, {}, {}});
+}
+
+void ParamRows::add_number(const ParamField& field,
+                           ParamKind kind,
+                           std::string_view name,
+                           std::pair<double, double> range,
+                           std::string_view unit,
+                           std::string_view doc) {
+    add({.name = std::string(name),
+         .kind = kind,
+         .min = range.first,
+         .max = range.second,
+         .unit = std::string(unit),
+         .doc = std::string(doc)},
+        field);
+}
+
+void ParamRows::add_flag(const ParamField& field, std::string_view name, std::string_view doc) {
+    add({.name = std::string(name), .kind = ParamKind::flag, .max = 1, .doc = std::string(doc)},
+        field);
+}
+
+void ParamRows::add_choice(const ParamField& field,
+                           std::string_view name,
+                           std::span<const std::string_view> choices,
+                           std::string_view doc) {
+    add({.name = std::string(name),
+         .kind = ParamKind::choice,
+         .max = static_cast<double>(choices.size() - 1),
+         .choices = {choices.begin(), choices.end()},
+         .doc = std::string(doc)},
+        field);
+}
+
+void ParamRows::add_texts(Param param, Store store, Load load) {
+    params_.push_back(std::move(param));
+    rows_.push_back({{}, std::move(store), std::move(load)});
+}
+
+void ParamRows::set(void* whole,
+                    std::size_t i,
+                    const std::vector<GivenText>& given,
+                    std::string_view called) const {
+    const auto& [field, store, load] = rows_[i];
+    if (store) {
+        store(whole, given);
+    } else {
+        field.store(place_of(field, whole), parse_param(params_[i], given.back(), called));
+    }
+}
+
+std::vector<std::string> ParamRows::get(const void* whole, std::size_t i) const {
+    const auto& [field, store, load] = rows_[i];
+    if (load) return load(whole);
+    // Nothing is written there.
+    const void* place = place_of(field, const_cast<void*>(whole));
+    return {format_param(params_[i], field.load(place))};
+}
+
+void ParamRows::read(void* whole, const ParamValues& values, std::string_view where) const {
+    check_known_params(params_, values, where);
+    for (std::size_t i = 0; i < params_.size(); ++i) {
+        const auto found = values.find(params_[i].name);
+        if (found == values.end()) continue;
+        set(whole, i, {{found->second, std::string(where)}}, "parameter " + params_[i].name);
+    }
+}
+
+ParamValues ParamRows::complete(const ParamValues& values, std::string_view where) const {
+    check_known_params(params_, values, where);
+    ParamValues all;
+    for (const Param& param : params_) {
+        const auto found = values.find(param.name);
+        const double value =
+            found == values.end() ? param.default_value : parse_param(param, found->second, where);
+        all[param.name] = format_param(param, value);
+    }
+    return all;
 }
 
 }  // namespace ink::core

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -73,78 +75,131 @@ void check_known_params(const std::vector<Param>& params,
 [[nodiscard]] std::string known_names(const std::vector<std::string>& names,
                                       std::string_view wrong);
 
+/// What the row of a number, flag or choice knows of its field: where it lies in its struct, what
+/// it is there by default, and how it becomes a double and back.
+struct ParamField {
+    std::ptrdiff_t offset = 0;
+    void* (*find)(void* whole) = nullptr;  ///< instead of `offset`, of a field that code finds
+    double (*load)(const void* field) = nullptr;
+    void (*store)(void* field, double value) = nullptr;
+    double default_value = 0;
+};
+
+/// The rows of a table without the type of its struct, so that they are compiled once and not for
+/// each struct. A `void*` is a struct of the table's type.
+class ParamRows {
+  public:
+    using Store = std::function<void(void*, const std::vector<GivenText>&)>;
+    using Load = std::function<std::vector<std::string>(const void*)>;
+
+    ParamRows();
+    ParamRows(const ParamRows&);
+    ParamRows& operator=(const ParamRows&) = delete;
+    ~ParamRows();
+
+    void add_number(const ParamField& field,
+                    ParamKind kind,
+                    std::string_view name,
+                    std::pair<double, double> range,
+                    std::string_view unit,
+                    std::string_view doc);
+    void add_flag(const ParamField& field, std::string_view name, std::string_view doc);
+    void add_choice(const ParamField& field,
+                    std::string_view name,
+                    std::span<const std::string_view> choices,
+                    std::string_view doc);
+    void add_texts(Param param, Store store, Load load);
+
+    [[nodiscard]] const std::vector<Param>& params() const { return params_; }
+    void set(void* whole,
+             std::size_t i,
+             const std::vector<GivenText>& given,
+             std::string_view called) const;
+    [[nodiscard]] std::vector<std::string> get(const void* whole, std::size_t i) const;
+    void read(void* whole, const ParamValues& values, std::string_view where) const;
+    [[nodiscard]] ParamValues complete(const ParamValues& values, std::string_view where) const;
+
+  private:
+    struct Row {
+        ParamField field;
+        Store store;  ///< of texts alone
+        Load load;    ///< as `store`
+    };
+
+    void add(Param param, const ParamField& field);
+
+    std::vector<Param> params_;
+    std::vector<Row> rows_;
+};
+
 /// The parameters of one parameter struct `P`, in the order they are shown.
 ///
 /// Each row binds a name to a field of `P`, so a parameter has one default (the field's
-/// initialiser), one range and one sentence. A field is a pointer to a member, or a function that
-/// returns a reference into a `P`. Fields may be double, float, integer, bool or an enum whose
-/// values are 0..n-1.
+/// initialiser), one range and one sentence. A field is a pointer to a member, or a function
+/// without captures that returns a reference into a `P`. Fields may be double, integer, bool or an
+/// enum whose values are 0..n-1.
 template <class P>
 class ParamTable {
   public:
     /// A number, `min..max` inclusive.
     template <class Field>
     ParamTable& number(Field field,
-                       std::string name,
+                       std::string_view name,
                        std::pair<double, double> range,
-                       std::string unit,
-                       std::string doc) {
+                       std::string_view unit,
+                       std::string_view doc) {
         using F = FieldOf<Field>;
-        static_assert(std::is_arithmetic_v<F> && !std::is_same_v<F, bool>);
+        static_assert(std::is_same_v<F, double> ||
+                      (std::is_integral_v<F> && !std::is_same_v<F, bool>));
         const auto kind = std::is_integral_v<F> ? ParamKind::integer : ParamKind::real;
-        return add({std::move(name),
-                    kind,
-                    range.first,
-                    range.second,
-                    0,
-                    {},
-                    std::move(unit),
-                    std::move(doc)},
-                   field);
+        rows_.add_number(row_field(field), kind, name, range, unit, doc);
+        return *this;
     }
 
     /// A yes or no.
     template <class Field>
-    ParamTable& flag(Field field, std::string name, std::string doc) {
+    ParamTable& flag(Field field, std::string_view name, std::string_view doc) {
         static_assert(std::is_same_v<FieldOf<Field>, bool>);
-        return add({std::move(name), ParamKind::flag, 0, 1, 0, {}, "", std::move(doc)}, field);
+        rows_.add_flag(row_field(field), name, doc);
+        return *this;
     }
 
     /// One of several spellings; the values of the field, an enum or a bool, are the indices of
     /// `choices`.
     template <class Field>
     ParamTable& choice(Field field,
-                       std::string name,
-                       std::vector<std::string> choices,
-                       std::string doc) {
+                       std::string_view name,
+                       std::span<const std::string_view> choices,
+                       std::string_view doc) {
         using F = FieldOf<Field>;
         static_assert(std::is_enum_v<F> || std::is_same_v<F, bool>);
-        const auto last = static_cast<double>(choices.size() - 1);
-        return add({std::move(name),
-                    ParamKind::choice,
-                    0,
-                    last,
-                    0,
-                    std::move(choices),
-                    "",
-                    std::move(doc)},
-                   field);
+        rows_.add_choice(row_field(field), name, choices, doc);
+        return *this;
+    }
+    template <class Field>
+    ParamTable& choice(Field field,
+                       std::string_view name,
+                       std::initializer_list<std::string_view> choices,
+                       std::string_view doc) {
+        return choice(field, name, std::span(choices.begin(), choices.size()), doc);
     }
 
     /// One text (kind text) or several (list), which `store(P&, const std::vector<GivenText>&)`
     /// reads and checks, and `load(const P&)` gives back. A list with choices holds these alone;
     /// `unit` is how help calls a text.
-    template <class Store, class Load>
-    ParamTable& texts(Param param, Store store, Load load) {
-        params_.push_back(std::move(param));
-        rows_.push_back({[store](P& p, const std::vector<GivenText>& given, std::string_view) {
-                             store(p, given);
-                         },
-                         load});
+    template <class StoreTexts, class LoadTexts>
+    ParamTable& texts(Param param, StoreTexts store, LoadTexts load) {
+        rows_.add_texts(
+            std::move(param),
+            [store](void* p, const std::vector<GivenText>& given) {
+                store(*static_cast<P*>(p), given);
+            },
+            [load](const void* p) { return load(*static_cast<const P*>(p)); });
         return *this;
     }
 
-    [[nodiscard]] const std::vector<Param>& params() const { return params_; }
+    [[nodiscard]] const ParamRows& rows() const { return rows_; }
+    [[nodiscard]] const std::vector<Param>& params() const { return rows_.params(); }
 
     /// Puts what was given into the field of row `i`. Throws Error (where = the text's) if it means
     /// nothing; the message calls the parameter `called`.
@@ -152,67 +207,53 @@ class ParamTable {
              std::size_t i,
              const std::vector<GivenText>& given,
              std::string_view called) const {
-        rows_[i].store(p, given, called);
+        rows_.set(&p, i, given, called);
     }
     /// The value of row `i` as text; a list's values one by one.
     [[nodiscard]] std::vector<std::string> get(const P& p, std::size_t i) const {
-        return rows_[i].load(p);
+        return rows_.get(&p, i);
     }
 
     /// A `P` with its defaults, overwritten by `values`.
     ///
     /// Throws Error for an unknown name, or a value outside its range; `where` says whose they are.
     [[nodiscard]] P read(const ParamValues& values, std::string_view where) const {
-        check_known_params(params_, values, where);
         P result{};
-        for (std::size_t i = 0; i < params_.size(); ++i) {
-            const auto found = values.find(params_[i].name);
-            if (found == values.end()) continue;
-            set(result, i, {{found->second, std::string(where)}}, "parameter " + params_[i].name);
-        }
+        rows_.read(&result, values, where);
         return result;
     }
 
-    /// Every parameter of `p` as text, so that a row can be reproduced from its own columns.
-    [[nodiscard]] ParamValues write(const P& p) const {
-        ParamValues values;
-        for (std::size_t i = 0; i < params_.size(); ++i)
-            values[params_[i].name] = get(p, i).front();
-        return values;
+    /// Every parameter of what read() gives as text, so that a row can be reproduced from its own
+    /// columns. Throws as read() does. Not for tables with texts.
+    [[nodiscard]] ParamValues complete(const ParamValues& values, std::string_view where) const {
+        return rows_.complete(values, where);
     }
 
   private:
     template <class Field>
     using FieldOf = std::remove_reference_t<std::invoke_result_t<Field, P&>>;
 
-    struct Row {
-        std::function<void(P&, const std::vector<GivenText>&, std::string_view called)> store;
-        std::function<std::vector<std::string>(const P&)> load;
-    };
-
     template <class Field>
-    ParamTable& add(Param param, Field field) {
+    [[nodiscard]] ParamField row_field(Field field) const {
         using F = FieldOf<Field>;
-        const P defaults{};
-        param.default_value = static_cast<double>(std::invoke(field, defaults));
-        params_.push_back(param);
-        rows_.push_back(
-            {[field, param](P& p, const std::vector<GivenText>& given, std::string_view called) {
-                 const double value = parse_param(param, given.back(), called);
-                 if constexpr (std::is_enum_v<F>) {
-                     std::invoke(field, p) = static_cast<F>(static_cast<int>(value));
-                 } else {
-                     std::invoke(field, p) = static_cast<F>(value);
-                 }
-             },
-             [field, param](const P& p) -> std::vector<std::string> {
-                 return {format_param(param, static_cast<double>(std::invoke(field, p)))};
-             }});
-        return *this;
+        const F& in_defaults = std::invoke(field, defaults_);
+        ParamField erased;
+        if constexpr (std::is_member_pointer_v<Field>) {
+            erased.offset = reinterpret_cast<const char*>(&in_defaults) -
+                            reinterpret_cast<const char*>(&defaults_);
+        } else {
+            erased.find = [](void* p) -> void* { return &Field{}(*static_cast<P*>(p)); };
+        }
+        erased.load = [](const void* at) {
+            return static_cast<double>(*static_cast<const F*>(at));
+        };
+        erased.store = [](void* at, double value) { *static_cast<F*>(at) = static_cast<F>(value); };
+        erased.default_value = static_cast<double>(in_defaults);
+        return erased;
     }
 
-    std::vector<Param> params_;
-    std::vector<Row> rows_;
+    P defaults_{};
+    ParamRows rows_;
 };
 
 }  // namespace ink::core

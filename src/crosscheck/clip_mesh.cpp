@@ -13,7 +13,7 @@ namespace ink::crosscheck {
 namespace {
 
 constexpr double kEdgeOn = 1e-13;  ///< relative; what double leaves of an exact zero
-constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kTrianglesOfChunk = 4096;
 
 double cross_xy(const glm::dvec3& a, const glm::dvec3& b) {
     return a.x * b.y - a.y * b.x;
@@ -39,7 +39,7 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       orientation_(topology.faces.size()),
       kinds_(topology.edges.size()) {
     const auto in_chunks = [&](std::size_t count, const auto& body) {
-        core::parallel_for_chunks(count, kChunk, options.threads, body);
+        core::parallel_for_chunks(count, kTrianglesOfChunk, options.threads, body);
     };
     in_chunks(p_clip_.size(),
               [&](std::size_t i) { p_clip_[i] = projection_.to_clip(topology.p_world[i]); });

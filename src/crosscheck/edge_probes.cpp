@@ -58,7 +58,7 @@ constexpr double kSpacing_px = 0.375;
 constexpr double kAside_px = 1.0 / 1024;
 constexpr double kBeside_px = 0.5;     ///< how far to either side of a visible edge is looked
 constexpr double kShortest_px = 1e-6;  ///< an edge that points at the eye has no sides
-constexpr std::size_t kChunk = 256;
+constexpr std::size_t kProbesOfChunk = 256;
 constexpr std::size_t kPlaces = 1024;  ///< looked at together: what fits the cache
 
 /// One place of an edge: the samples at both sides of it, and those farther off where it shows a
@@ -276,7 +276,8 @@ EdgeProbes probe_edges(const SampleCells& cells, const SightRays& rays, int thre
         prober.follow_all();
     };
     EdgeProbes all;
-    for (const EdgeProbes& part : core::parallel_parts<EdgeProbes>(count, kChunk, threads, probe)) {
+    for (const EdgeProbes& part :
+         core::parallel_parts<EdgeProbes>(count, kProbesOfChunk, threads, probe)) {
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
         all.ways.insert(all.ways.end(), part.ways.begin(), part.ways.end());
         all.counts += part.counts;

@@ -9,8 +9,8 @@
 namespace ink::crosscheck {
 namespace {
 
-constexpr double kFound_px = 0.2;         ///< points along an edge lie at most 3/8 px apart
-constexpr double kBeside_px = 1.0 / 512;  ///< before and behind a line
+constexpr double kFound_px = 0.2;             ///< points along an edge lie at most 3/8 px apart
+constexpr double kBesideLine_px = 1.0 / 512;  ///< before and behind a line
 
 constexpr double kFinest_px = 1.0 / 512;
 
@@ -69,7 +69,7 @@ bool KnownLines::has_near(const glm::dvec2& p_px,
 }
 
 bool KnownLines::Meeting::is_stuck() const {
-    return !is_last() && before + 2 * kBeside_px <= 0;
+    return !is_last() && before + 2 * kBesideLine_px <= 0;
 }
 
 KnownLines::Meeting KnownLines::first_known(const Sample& from, const Sample& to) const {
@@ -82,10 +82,10 @@ KnownLines::Meeting KnownLines::first_known(const Sample& from, const Sample& to
     const glm::dvec2 d = glm::normalize(to.p_px - from.p_px);
     Meeting line;
     line.is_known = true;
-    line.before = glm::dot(end_px - from.p_px, d) - kBeside_px;
-    line.behind = glm::dot(to.p_px - end_px, d) - kBeside_px;
-    line.before_px = end_px - kBeside_px * d;
-    line.next_px = end_px + kBeside_px * d;
+    line.before = glm::dot(end_px - from.p_px, d) - kBesideLine_px;
+    line.behind = glm::dot(to.p_px - end_px, d) - kBesideLine_px;
+    line.before_px = end_px - kBesideLine_px * d;
+    line.next_px = end_px + kBesideLine_px * d;
     return line;
 }
 

@@ -13,7 +13,7 @@ struct EmbreeRays::Handles : truth::embree::Handles {};
 namespace {
 
 /// What Embree's float distances cannot put in order is offered to the filter all the same.
-constexpr float kSlack = 1 + 1e-4F;
+constexpr float kRaySlack = 1 + 1e-4F;
 
 /// One look on its way through the tree.
 struct Look {
@@ -35,7 +35,7 @@ struct Offers {
     void add(std::uint32_t face, float distance) {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            if (distances[i] > distance * kSlack) continue;
+            if (distances[i] > distance * kRaySlack) continue;
             faces[kept] = faces[i];
             distances[kept++] = distances[i];
         }
@@ -114,7 +114,7 @@ void take(const RTCFilterFunctionNArguments* args) {
         return;
     }
     look.foremost.add(*look.mesh, {face, w});
-    RTCRayN_tfar(args->ray, args->N, 0) *= kSlack;
+    RTCRayN_tfar(args->ray, args->N, 0) *= kRaySlack;
 }
 
 /// Keeps what the rays of a packet are offered, and has Embree go on a little behind it.
@@ -125,7 +125,7 @@ void keep(const RTCFilterFunctionNArguments* args) {
         float& distance = RTCRayN_tfar(args->ray, args->N, lane);
         packet.offers[RTCRayN_id(args->ray, args->N, lane)].add(
             RTCHitN_primID(args->hit, args->N, lane), distance);
-        distance *= kSlack;
+        distance *= kRaySlack;
     }
 }
 
@@ -159,7 +159,7 @@ EmbreeRays::EmbreeRays(const ClipMesh& mesh, int threads)
 EmbreeRays::~EmbreeRays() = default;
 
 float EmbreeRays::near() const {
-    return static_cast<float>(mesh().view().camera.near * scale_) / kSlack;
+    return static_cast<float>(mesh().view().camera.near * scale_) / kRaySlack;
 }
 
 Sight EmbreeRays::look(const glm::dvec2& p_px) const {

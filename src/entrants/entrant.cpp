@@ -265,8 +265,7 @@ method::MethodConfig outside_config(const std::string& name,
         return std::make_unique<harness::OutsideMethod>(make_source());
     };
     info->complete = [name, facts](const core::ParamValues& values) {
-        const auto table = entrant_table();
-        core::ParamValues all = table.write(table.read(values, name));
+        core::ParamValues all = entrant_table().complete(values, name);
         all.insert(facts.begin(), facts.end());
         return all;
     };

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kAccepted = "an OpenEXR file";
+constexpr const char* kAcceptedExr = "an OpenEXR file";
 
 struct Size {
     int width_px = 0;
@@ -171,9 +171,9 @@ void write_exr(const ExrFile& file, const fs::path& path) {
 }
 
 ExrFile read_exr(const fs::path& path) {
-    OpenFile opened = open_image(path, kAccepted);
+    OpenFile opened = open_image(path, kAcceptedExr);
     if (std::string_view(opened.input->format_name()) != "openexr") {
-        throw core::Error(path.string(), "this is not such a file", kAccepted);
+        throw core::Error(path.string(), "this is not such a file", kAcceptedExr);
     }
     ExrFile file;
     for (int i = 0; i < opened.spec.nchannels; ++i)

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
-constexpr const char* kAccepted = "an 8-bit grey or colour image, such as a PNG";
+constexpr const char* kAcceptedImage = "an 8-bit grey or colour image, such as a PNG";
 
 /// What the file system alone can tell to be wrong.
 void check_file(const fs::path& path, const char* accepted) {
@@ -73,11 +73,11 @@ void check_is_gray(const OIIO::ImageSpec& spec, const fs::path& path) {
     if (spec.format != OIIO::TypeDesc::UINT8) {
         throw core::Error(path.string(),
                           fmt::format("its pixels are {}, not 8-bit", spec.format.c_str()),
-                          kAccepted);
+                          kAcceptedImage);
     }
     if (spec.nchannels < 1 || spec.nchannels > 4) {
         throw core::Error(
-            path.string(), fmt::format("it has {} channels", spec.nchannels), kAccepted);
+            path.string(), fmt::format("it has {} channels", spec.nchannels), kAcceptedImage);
     }
 }
 
@@ -175,7 +175,7 @@ core::Image<std::uint8_t> read_gray(const fs::path& path) {
 }
 
 GrayFile read_gray_file(const fs::path& path) {
-    OpenFile file = open_image(path, kAccepted);
+    OpenFile file = open_image(path, kAcceptedImage);
     check_is_gray(file.spec, path);
     return to_gray(read_samples<std::uint8_t>(file, 0, file.spec.nchannels), file.spec);
 }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kAccepted = "a grey or colour image, such as a PNG or an EXR";
+constexpr const char* kAcceptedPicture = "a grey or colour image, such as a PNG or an EXR";
 
 /// Which channels of a file are a picture; -1 where it has none.
 struct PictureChannels {
@@ -119,7 +119,7 @@ void read_pixels(OpenFile& file, const PictureChannels& channels, bool is_light,
 }  // namespace
 
 Picture read_picture(const fs::path& path) {
-    OpenFile file = open_image(path, kAccepted);
+    OpenFile file = open_image(path, kAcceptedPicture);
     const PictureChannels channels = find_channels(file.spec, path);
     const OIIO::TypeDesc type = file.spec.channelformat(channels.colour[0]);
     const bool is_light = type.is_floating_point();  // whole numbers are what a screen gets

@@ -16,8 +16,8 @@ constexpr std::uint16_t kNodeHeader = 0xb010;
 constexpr std::uint16_t kPlaces = 0xb020;
 constexpr std::uint16_t kColors = 0xb025;
 
-constexpr std::size_t kHeaderBytes = 6;
-constexpr double kFramesPerSecond = 30;  // no file names a rate
+constexpr std::size_t kChunkHeadBytes = 6;
+constexpr double k3dsFramesPerSecond = 30;  // no file names a rate
 
 /// A track of places or colours: 10 bytes of flags, a count, and for each key its frame, what eases
 /// it (a float for each of five bits) and its three numbers.
@@ -30,7 +30,7 @@ std::vector<scene::VectorKey> parse_keys(Bytes body) {
     const auto count = number_at<std::uint32_t>(body, kTrackHeader - 4);
     std::size_t at = kTrackHeader;
     while (keys.size() < count && body.size() - at >= kKeyHeader) {
-        const double time_s = number_at<std::uint32_t>(body, at) / kFramesPerSecond;
+        const double time_s = number_at<std::uint32_t>(body, at) / k3dsFramesPerSecond;
         const unsigned easing = number_at<std::uint16_t>(body, at + 4) & 0x1fU;
         at += kKeyHeader + 4 * static_cast<std::size_t>(std::popcount(easing));
         if (at > body.size() || body.size() - at < kValue) break;
@@ -64,12 +64,12 @@ Track3ds parse_track(const Chunk3ds& node) {
 }  // namespace
 
 std::optional<Chunk3ds> take_chunk(Bytes& bytes) {
-    if (bytes.size() < kHeaderBytes) return std::nullopt;
+    if (bytes.size() < kChunkHeadBytes) return std::nullopt;
     const auto length = number_at<std::uint32_t>(bytes, 2);
-    if (length < kHeaderBytes) return std::nullopt;
+    if (length < kChunkHeadBytes) return std::nullopt;
     const std::size_t end = std::min<std::size_t>(length, bytes.size());
     const Chunk3ds chunk{number_at<std::uint16_t>(bytes, 0),
-                         bytes.subspan(kHeaderBytes, end - kHeaderBytes)};
+                         bytes.subspan(kChunkHeadBytes, end - kChunkHeadBytes)};
     bytes = bytes.subspan(end);
     return chunk;
 }

@@ -23,7 +23,7 @@ constexpr std::size_t kMostNameChars = 80;
 constexpr std::size_t kMostNoteChars = 160;
 constexpr std::size_t kMostCameras = 256;
 // Products of three coordinates, as the predicates form them, stay far from overflow.
-constexpr double kMostExtent = 1e60;
+constexpr double kMostSceneExtent = 1e60;
 
 bool is_usable_normal(const glm::vec3& n) {
     const double length = glm::length(glm::dvec3(n));
@@ -127,10 +127,10 @@ void check_at(const std::string& where, const scene::Scene& scene, Check check) 
 void check_numbers(const scene::Scene& scene, const std::string& where) {
     check_at(where, scene, [&] { scene::check_scene(scene); });
     const double radius = scene::bounding_sphere(scene).radius;
-    if (!(radius < kMostExtent)) {
+    if (!(radius < kMostSceneExtent)) {
         throw core::Error(where,
                           fmt::format("its extent is {:g}", radius),
-                          fmt::format("less than {:g}", kMostExtent));
+                          fmt::format("less than {:g}", kMostSceneExtent));
     }
 }
 

@@ -17,7 +17,7 @@ namespace {
 /// Along an axis: so far from zero the scene, and so far what lies in a mesh, is moved. A scene
 /// that is far out by the one has all of itself beyond the other, so that parts which touch move
 /// as one.
-constexpr double kFarRadii = 1.5;
+constexpr double kFarOriginRadii = 1.5;
 constexpr double kFarMeshRadii = 0.5;
 /// The same of a mesh that the file has as floats: from there on they lose nothing.
 constexpr double kFarFloatRadii = 4;
@@ -154,7 +154,7 @@ glm::dvec3 take_out_origin(ImportReply& reply) {
     if (!is_finite(whole)) return glm::dvec3{0};
     const double radius = radius_of(whole);
     const glm::dvec3 origin =
-        in_steps(whole.center(), radius, is_beyond(whole.center(), kFarRadii * radius));
+        in_steps(whole.center(), radius, is_beyond(whole.center(), kFarOriginRadii * radius));
     if (origin == glm::dvec3{0}) return origin;
 
     std::vector<glm::dvec3> taken(reply.meshes.size(), glm::dvec3{0});

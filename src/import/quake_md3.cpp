@@ -13,7 +13,7 @@ namespace ink::import {
 namespace {
 
 // Of most of a player's moves; animation.cfg has a rate for each, from 5 to 30.
-constexpr double kFramesPerSecond = 15;
+constexpr double kMd3FramesPerSecond = 15;
 constexpr float kUnit = 1.0F / 64;
 constexpr std::uint64_t kSurfaceHeadBytes = 108;
 constexpr std::uint64_t kTagBytes = 112;  // name of 64 characters, origin, three axes
@@ -155,7 +155,7 @@ scene::AnimatedNode read_tag(const Md3File& part, const std::string& name, std::
     node.parent = parent;
     for (std::uint64_t f = 0; f < frames; ++f) {
         const std::uint64_t at = offset + (f * tags + number) * kTagBytes + kNameChars;
-        add_tag_key(file, at, static_cast<double>(f) / kFramesPerSecond, node);
+        add_tag_key(file, at, static_cast<double>(f) / kMd3FramesPerSecond, node);
     }
     node.parent_from_node = node.at(0);
     return node;
@@ -170,8 +170,8 @@ void finish(Assembly& whole) {
     for (const scene::AnimatedNode& node : whole.animation.nodes)
         frames = std::max(frames, node.translations.size());
     if (frames < 2) return;
-    whole.animation.frames_per_s = kFramesPerSecond;
-    whole.animation.duration_s = static_cast<double>(frames - 1) / kFramesPerSecond;
+    whole.animation.frames_per_s = kMd3FramesPerSecond;
+    whole.animation.duration_s = static_cast<double>(frames - 1) / kMd3FramesPerSecond;
     whole.reply.animation = std::move(whole.animation);
 }
 

@@ -3,14 +3,14 @@
 namespace ink::import {
 namespace {
 
-constexpr double kFramesPerSecond = 10;  // of the games
+constexpr double kGameFramesPerSecond = 10;  // of the games
 
 // Quake's MDL, version 6: header, skins, texture coordinates, triangles, frames, one behind the
 // other. Numbers are 32 bits.
 
-constexpr std::uint64_t kHeaderBytes = 84;
-constexpr std::uint64_t kTextureBytes = 12;   // on seam, s, t
-constexpr std::uint64_t kTriangleBytes = 16;  // faces front, three vertices
+constexpr std::uint64_t kPackedHeaderBytes = 84;
+constexpr std::uint64_t kTextureBytes = 12;         // on seam, s, t
+constexpr std::uint64_t kPackedTriangleBytes = 16;  // faces front, three vertices
 // A frame's box, and its name of 16 characters.
 constexpr std::uint64_t kFrameHeadBytes = 24;
 
@@ -58,9 +58,9 @@ std::uint64_t skip_skins(const ModelBytes& file, const Header& header, std::uint
 std::vector<scene::Triangle> read_triangles(const ModelBytes& file,
                                             const Header& header,
                                             std::uint64_t offset) {
-    file.need(offset, header.triangles, kTriangleBytes, "triangles");
+    file.need(offset, header.triangles, kPackedTriangleBytes, "triangles");
     return quake_triangles<std::int32_t>(
-        file, offset + 4, header.triangles, kTriangleBytes, header.vertices);
+        file, offset + 4, header.triangles, kPackedTriangleBytes, header.vertices);
 }
 
 /// All frames, those of groups one after the other. A group's own times are not kept.
@@ -132,20 +132,20 @@ scene::VertexFrames read_frames(const ModelBytes& file, std::uint64_t vertices) 
 
 ImportReply read_mdl(const ModelBytes& file, const std::string& name) {
     const Header header = read_header(file);
-    std::uint64_t offset = skip_skins(file, header, kHeaderBytes);
+    std::uint64_t offset = skip_skins(file, header, kPackedHeaderBytes);
     file.need(offset, header.vertices, kTextureBytes, "texture coordinates");
     offset += header.vertices * kTextureBytes;
     auto triangles = read_triangles(file, header, offset);
-    offset += header.triangles * kTriangleBytes;
+    offset += header.triangles * kPackedTriangleBytes;
     return reply_of_frames(
-        name, std::move(triangles), read_frames(file, header, offset), kFramesPerSecond);
+        name, std::move(triangles), read_frames(file, header, offset), kGameFramesPerSecond);
 }
 
 ImportReply read_md2(const ModelBytes& file, const std::string& name) {
     const std::uint64_t vertices = file.count_at(24, "vertices", 1);
     auto triangles = read_triangles(file, vertices);
     return reply_of_frames(
-        name, std::move(triangles), read_frames(file, vertices), kFramesPerSecond);
+        name, std::move(triangles), read_frames(file, vertices), kGameFramesPerSecond);
 }
 
 }  // namespace ink::import

@@ -32,7 +32,7 @@ constexpr std::array<std::pair<std::string_view, double>, 6> kUnits{{{"micron", 
                                                                      {"foot", 0.3048},
                                                                      {"meter", 1}}};
 
-std::optional<double> to_number(std::string_view word) {
+std::optional<double> finite_number(std::string_view word) {
     const auto number = core::parse_number<double>(word.substr(word.starts_with('+') ? 1 : 0));
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
@@ -40,7 +40,7 @@ std::optional<double> to_number(std::string_view word) {
 double number_in(const Element& element, const char* key, const std::string& where) {
     const std::string_view text = element.attribute(key).value();
     const auto words = words_of(text);
-    const auto number = words.size() == 1 ? to_number(words[0]) : std::nullopt;
+    const auto number = words.size() == 1 ? finite_number(words[0]) : std::nullopt;
     if (number) return *number;
     throw core::Error(
         "", where + ": " + key + " of a vertex is " + in_quotes(text), "a number that floats hold");
@@ -89,7 +89,7 @@ glm::dmat4 transform_of(const Element& element, const std::string& where) {
     const std::string_view text = attribute.value();
     const auto words = words_of(text);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto number = to_number(words[i]);
+        const auto number = finite_number(words[i]);
         if (!number || words.size() != 12) break;
         transform[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = *number;
         if (i == 11) return transform;

@@ -134,7 +134,7 @@ edge::Mask predicted_positives(const harness::TruthCode& code,
 }
 
 /// An evaluation with a code, the code worked out from the truth, and what came of both.
-struct Study {
+struct CancellationOf {
     const harness::Evaluation& evaluation;
     harness::Declaration declared;
     harness::TruthCode code;
@@ -154,7 +154,9 @@ score::PixelList counted_positives(const edge::Mask& drawn, const CountedTruth& 
     return score::counted_pixels(std::move(thinned), counted.lists);
 }
 
-void fill_rows(const harness::ViewTruth& truth, const CountedTruth& counted, Study& study) {
+void fill_rows(const harness::ViewTruth& truth,
+               const CountedTruth& counted,
+               CancellationOf& study) {
     const harness::Evaluation& evaluation = study.evaluation;
     const auto ink_of = [&](const edge::Mask& drawn) {
         return CountedInk(counted_positives(drawn, counted), counted.lists.disk, drawn.width_px());
@@ -184,7 +186,7 @@ std::vector<CancellationRow> study_cancellation(
     const scene::View& view,
     harness::MissPredictor& predictor,
     const std::vector<harness::Evaluation>& evaluations) {
-    std::vector<Study> studies;
+    std::vector<CancellationOf> studies;
     studies.reserve(evaluations.size());
     for (const harness::Evaluation& evaluation : evaluations) {
         if (!evaluation.row.is_ok() || !evaluation.code) continue;
@@ -200,7 +202,7 @@ std::vector<CancellationRow> study_cancellation(
         fill_rows(truth, counted, studies[i]);
     });
     std::vector<CancellationRow> rows;
-    for (Study& study : studies)
+    for (CancellationOf& study : studies)
         rows.insert(rows.end(), study.rows.begin(), study.rows.end());
     return rows;
 }

@@ -167,26 +167,34 @@ struct MethodInfo {
     }
 };
 
+/// Makes a method from the values of its parameters that were given; errors name `where`.
+using MakeMethod = std::unique_ptr<Method> (*)(const core::ParamRows& rows,
+                                               const core::ParamValues& values,
+                                               std::string_view where);
+
+/// A MethodInfo of what is code of a method, whatever its class.
+[[nodiscard]] MethodInfo method_info(std::string_view name,
+                                     const core::ParamRows& rows,
+                                     bool draws_by_threshold,
+                                     MakeMethod make);
+
 /// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its parameters, a
 /// constructor from `Params` and, if it draws by the threshold, `kDrawsByThreshold`: what is code
 /// of a method. The rest is data:
 /// methods/<name>/<name>.toml.
 template <class M>
-[[nodiscard]] MethodInfo method_info(std::string name) {
-    MethodInfo info;
-    info.name = std::move(name);
-    info.params = M::table().params();
-    info.draws_by_threshold = requires {
+[[nodiscard]] MethodInfo method_info(std::string_view name) {
+    constexpr bool kByThreshold = requires {
         M::kDrawsByThreshold;
     };
-    info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
-        return std::make_unique<M>(M::table().read(values, name));
+    const MakeMethod make = [](const core::ParamRows& rows,
+                               const core::ParamValues& values,
+                               std::string_view where) -> std::unique_ptr<Method> {
+        typename M::Params params{};
+        rows.read(&params, values, where);
+        return std::make_unique<M>(params);
     };
-    info.complete = [name = info.name](const core::ParamValues& values) {
-        const auto table = M::table();
-        return table.write(table.read(values, name));
-    };
-    return info;
+    return method_info(name, M::table().rows(), kByThreshold, make);
 }
 
 /// Appends the row `threshold`, which every method has.

@@ -47,13 +47,15 @@ TEST(ParamTable, ReadsEveryKind) {
     EXPECT_EQ(k.fruit, Fruit::apple);
 }
 
-TEST(ParamTable, WhatIsWrittenIsReadBack) {
-    Parameters k;
-    k.size = 0.1;
-    k.fruit = Fruit::apple;
-    const ParamValues values = table().write(k);
-    EXPECT_EQ(values.at("size"), "0.1");
-    EXPECT_EQ(table().write(table().read(values, "basket")), values);
+TEST(ParamTable, CompletesWithDefaultsWhatReadsBackTheSame) {
+    const ParamValues values = table().complete({{"size", "0.10"}, {"fruit", "apple"}}, "basket");
+    EXPECT_EQ(
+        values,
+        (ParamValues{{"size", "0.1"}, {"count", "3"}, {"is_ripe", "true"}, {"fruit", "apple"}}));
+    EXPECT_EQ(table().complete(values, "basket"), values);
+    const Parameters k = table().read(values, "basket");
+    for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_EQ(table().get(k, i).front(), values.at(table().params()[i].name));
 }
 
 TEST(ParamTable, UnknownNameListsTheKnownAndTheNearest) {

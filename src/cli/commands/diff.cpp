@@ -12,8 +12,6 @@
 namespace ink::cli {
 namespace {
 
-using nlohmann::json;
-
 constexpr int kWorse = 1;
 
 struct DiffArgs {
@@ -23,8 +21,8 @@ struct DiffArgs {
     bool fail_if_worse = false;
 };
 
-json cells_json(const std::vector<const harness::Row*>& rows) {
-    return list_of(rows, [](const harness::Row* row) -> json {
+nlohmann::json cells_json(const std::vector<const harness::Row*>& rows) {
+    return list_of(rows, [](const harness::Row* row) -> nlohmann::json {
         return {{"method", row->method},
                 {"scene", row->scene},
                 {"view", row->view},
@@ -34,8 +32,8 @@ json cells_json(const std::vector<const harness::Row*>& rows) {
     });
 }
 
-json diff_json(const experiment::RunDiff& diff) {
-    const auto method_json = [](const experiment::MethodDiff& method) -> json {
+nlohmann::json diff_json(const experiment::RunDiff& diff) {
+    const auto method_json = [](const experiment::MethodDiff& method) -> nlohmann::json {
         return {{"method", method.method},
                 {"settings", method.settings},
                 {"cells", method.cells},
@@ -46,12 +44,12 @@ json diff_json(const experiment::RunDiff& diff) {
                 {"f_before", or_null(method.f_a)},
                 {"f_after", or_null(method.f_b)},
                 {"difference", or_null(method.difference)},
-                {"lo", method.range ? json(method.range->low) : json(nullptr)},
-                {"hi", method.range ? json(method.range->high) : json(nullptr)},
+                {"lo", method.range ? nlohmann::json(method.range->low) : nlohmann::json(nullptr)},
+                {"hi", method.range ? nlohmann::json(method.range->high) : nlohmann::json(nullptr)},
                 {"time_ratio", or_null(method.time_ratio)},
                 {"worse", method.is_worse()}};
     };
-    const auto change_json = [](const experiment::AskedChange& change) -> json {
+    const auto change_json = [](const experiment::AskedChange& change) -> nlohmann::json {
         return {{"key", change.key}, {"before", change.a}, {"after", change.b}};
     };
     return {{"same", diff.is_same()},

@@ -240,8 +240,7 @@ OptionTable make_table() {
     in(kStress, "--points").number(
         &E::points, "grid.points", {2, 1000}, "N", "Points of an axis at most (default: all)");
     in(kStress, "--projection").choice(
-        &E::projection, "grid.projection",
-        {scene::kProjectionNames.begin(), scene::kProjectionNames.end()},
+        &E::projection, "grid.projection", scene::kProjectionNames,
         "How all cameras look");
     in(kAnimation).number(&E::frames, "grid.frames", {2, 10000}, "N", "Frames of a sequence");
 
@@ -274,8 +273,7 @@ OptionTable make_table() {
         "Crease angle of the truth: edges with a larger dihedral deviation are creases; methods "
         "that use the same angle follow, unless --set says otherwise");
     in(kCompare, "--creases").choice(
-        &E::creases, "measure.creases",
-        {scene::kCreaseSourceNames.begin(), scene::kCreaseSourceNames.end()},
+        &E::creases, "measure.creases", scene::kCreaseSourceNames,
         "Which edges between two faces are creases of the truth: those of the crease angle, or "
         "those that the model's file marks (glTF, EXT_mesh_primitive_edge_visibility); methods "
         "keep their angle");
@@ -284,8 +282,7 @@ OptionTable make_table() {
         "Weld vertices this near to each other, as a share of their part's diagonal (0: at the "
         "same place only)");
     in(kAll, "--intersections").choice(
-        &E::intersections, "measure.intersections",
-        {score::kIntersectionNames.begin(), score::kIntersectionNames.end()},
+        &E::intersections, "measure.intersections", score::kIntersectionNames,
         "Intersections that count: those that bend at least by the crease angle (flatter ones are "
         "neither required nor penalised), or all");
     in(kCompare, "--no-skip", "skip").texts(

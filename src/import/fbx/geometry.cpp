@@ -10,7 +10,7 @@
 namespace ink::import {
 namespace {
 
-[[noreturn]] void fail(const FbxObject& geometry, const std::string& what) {
+[[noreturn]] void fail_geometry(const FbxObject& geometry, const std::string& what) {
     throw core::Error("", "geometry \"" + geometry.name + "\": " + what, "a whole, valid FBX file");
 }
 
@@ -32,7 +32,7 @@ std::vector<std::size_t> slots_of(const FbxObject& geometry, std::size_t polygon
 
 std::vector<glm::dvec3> points_of(const FbxObject& geometry) {
     const std::vector<double> numbers = geometry.element->list("Vertices");
-    if (numbers.size() % 3 != 0) fail(geometry, "its Vertices are not three numbers each");
+    if (numbers.size() % 3 != 0) fail_geometry(geometry, "its Vertices are not three numbers each");
     std::vector<glm::dvec3> points(numbers.size() / 3);
     for (std::size_t p = 0; p < points.size(); ++p)
         points[p] = {numbers[3 * p], numbers[3 * p + 1], numbers[3 * p + 2]};
@@ -45,13 +45,13 @@ FbxCorners corners_of(const FbxObject& geometry, std::size_t points) {
         const bool is_last = number < 0;
         const double point = is_last ? -1 - number : number;
         if (!(point >= 0 && point < static_cast<double>(points)))
-            fail(geometry, "a polygon has a point that is not there");
+            fail_geometry(geometry, "a polygon has a point that is not there");
         corners.points.push_back(static_cast<std::uint32_t>(point));
         if (is_last) corners.ends.push_back(corners.points.size());
     }
     if (!corners.points.empty() &&
         (corners.ends.empty() || corners.ends.back() != corners.points.size()))
-        fail(geometry, "its last polygon has no end");
+        fail_geometry(geometry, "its last polygon has no end");
     if (const FbxElement* holes = geometry.element->child("LayerElementHole")) {
         const std::vector<double> list = holes->list("Hole");
         if (std::any_of(list.begin(), list.end(), [](double hole) { return hole != 0; })) {

@@ -15,7 +15,9 @@ namespace {
 enum InheritType { kRrSs = 0, kRSrs = 1, kRrs = 2 };
 constexpr int kSpheric = 6;
 
-[[noreturn]] void refuse(const FbxObject& object, const std::string& what, const char* accepted) {
+[[noreturn]] void refuse_model(const FbxObject& object,
+                               const std::string& what,
+                               const char* accepted) {
     throw Refusal("", "model \"" + object.name + "\": " + what, accepted);
 }
 
@@ -38,10 +40,10 @@ glm::dmat4 turned_in_order(const FbxObject& object) {
     const int angles = (degrees.x != 0) + (degrees.y != 0) + (degrees.z != 0);
     if (order >= 0 && order < kSpheric) return turned(degrees, kOrders[order]);
     if (angles > 1) {
-        refuse(object,
-               "RotationOrder " + std::to_string(order) +
-                   (order == kSpheric ? " (SphericXYZ)" : "") + " is not read",
-               "0..5, Euler angles");
+        refuse_model(object,
+                     "RotationOrder " + std::to_string(order) +
+                         (order == kSpheric ? " (SphericXYZ)" : "") + " is not read",
+                     "0..5, Euler angles");
     }
     return turned(degrees, kOrders[0]);
 }
@@ -86,7 +88,8 @@ void place(FbxModel& model, const FbxModel& parent) {
     glm::dmat3 scales = glm::transpose(parent.turn) * glm::dmat3(parent.world_from_model);
     if (inherit == kRrs) {
         if (parent.scale.x * parent.scale.y * parent.scale.z == 0)
-            refuse(*model.object, "InheritType 2 below a scale of 0 is not read", "other scales");
+            refuse_model(
+                *model.object, "InheritType 2 below a scale of 0 is not read", "other scales");
         scales = scales * scaled(1.0 / parent.scale);
     }
     const glm::dmat3 axes = model.turn * scales * scaled(model.scale);

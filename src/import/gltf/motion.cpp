@@ -11,7 +11,7 @@ namespace {
 constexpr AccessorRule kTimes{"key times", "SCALAR", kFloat};
 constexpr AccessorRule kVectors{"keys", "VEC3", kFloat};
 constexpr AccessorRule kRotations{"rotation keys", "VEC4", kFloat | kSmall, true};
-constexpr AccessorRule kWeights{"weight keys", "SCALAR", kFloat | kSmall, true};
+constexpr AccessorRule kWeightKeys{"weight keys", "SCALAR", kFloat | kSmall, true};
 
 /// What a channel moves.
 struct Target {
@@ -182,13 +182,13 @@ GltfMotion read_motion(const GltfDocument& document,
         const JsonObject& json = samplers[channel.index("sampler", samplers.size())];
         const JsonObject& node = document.nodes[target->node];
         const AccessorRule* rule = target->path == "rotation"  ? &kRotations
-                                   : target->path == "weights" ? &kWeights
+                                   : target->path == "weights" ? &kWeightKeys
                                                                : &kVectors;
         if (rule == &kVectors && target->path != "translation" && target->path != "scale")
             channel.refuse("the path " + target->path + " is not read");
         Sampler sampler = read_sampler(json, *rule, accessors);
         motion.duration_s = std::max(motion.duration_s, sampler.times_s.back());
-        if (rule == &kWeights) {
+        if (rule == &kWeightKeys) {
             if (!node.has("mesh"))
                 channel.fail("node " + std::to_string(target->node) + " has no mesh");
             motion.weights.emplace(target->node, GltfWeightKeys{channel, std::move(sampler)});

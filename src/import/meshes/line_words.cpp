@@ -111,7 +111,7 @@ std::string LineWords::rest() {
     for (std::size_t i = 0; i + 1 < text.size(); ++i) {
         if (text[i] != '\\' || !is_line_break(text[i + 1])) continue;
         const bool is_pair = text.substr(i + 1, 2) == "\r\n";
-        text.replace(i, is_pair ? 3 : 2, " ");
+        text.replace(i, is_pair ? 3 : 2, 1, ' ');
     }
     return text;
 }

@@ -15,7 +15,7 @@
 namespace ink::import {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kStlHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 
 void add_facet(const glm::vec3& normal,
@@ -38,19 +38,19 @@ ImportReply reply_of_facets(ImportedMesh mesh, const std::string& name) {
 }
 
 std::uint64_t facet_count(std::string_view file) {
-    return number_at<std::uint32_t>(std::as_bytes(std::span(file)), kHeaderBytes - 4);
+    return number_at<std::uint32_t>(std::as_bytes(std::span(file)), kStlHeaderBytes - 4);
 }
 
 /// Bytes behind the last facet are left alone: writers add their own there.
 ImportReply read_binary(std::string_view file, const std::string& name) {
-    if (file.size() < kHeaderBytes) {
+    if (file.size() < kStlHeaderBytes) {
         throw core::Error("",
                           "the file is neither STL text nor long enough for binary STL",
                           "a text that begins with \"solid\" and \"facet\", or " +
-                              std::to_string(kHeaderBytes) + " bytes and more");
+                              std::to_string(kStlHeaderBytes) + " bytes and more");
     }
     const std::uint64_t count = facet_count(file);
-    const std::uint64_t bytes = kHeaderBytes + count * kFacetBytes;
+    const std::uint64_t bytes = kStlHeaderBytes + count * kFacetBytes;
     if (bytes > file.size()) {
         throw core::Error("",
                           "the file is cut short: its header promises " + std::to_string(bytes) +
@@ -62,7 +62,7 @@ ImportReply read_binary(std::string_view file, const std::string& name) {
     facets.are_floats = true;
     facets.positions.reserve(3 * count);
     facets.normals.reserve(3 * count);
-    for (const char* at = file.data() + kHeaderBytes; at != file.data() + bytes;
+    for (const char* at = file.data() + kStlHeaderBytes; at != file.data() + bytes;
          at += kFacetBytes) {
         std::array<glm::vec3, 4> facet;
         static_assert(sizeof facet == 48);
@@ -156,15 +156,15 @@ bool is_stl_text(std::string_view file) {
 }
 
 bool is_binary_stl(std::string_view file) {
-    if (file.size() < kHeaderBytes) return false;
-    const std::uint64_t bytes = kHeaderBytes + facet_count(file) * kFacetBytes;
+    if (file.size() < kStlHeaderBytes) return false;
+    const std::uint64_t bytes = kStlHeaderBytes + facet_count(file) * kFacetBytes;
     if (bytes == file.size()) return true;
     return bytes < file.size() && !is_stl_text(file);
 }
 
 ImportReply read_stl(std::string_view file, const std::string& name) {
     // What is neither: letters alone were meant as text.
-    const bool has_zero_byte = file.substr(0, kHeaderBytes).find('\0') != file.npos;
+    const bool has_zero_byte = file.substr(0, kStlHeaderBytes).find('\0') != file.npos;
     const bool is_text = !is_binary_stl(file) && (is_stl_text(file) || !has_zero_byte);
     return is_text ? read_text(file, name) : read_binary(file, name);
 }
