@@ -136,8 +136,9 @@ std::string missing_text(const Advice& advice) {
 std::string as_text(const Advice& advice) {
     const MethodSummary& use = *advice.answer.method;
     const MethodSummary* other = advice.answer.other();
+    const std::string alike = report::times_text(advice.answer, report::Markup::none);
     return fmt::format(
-        "use        {}\n"
+        "use        {}{}\n"
         "expect     {} on one thread here, over {} view{}{}: it misses {:.1f} % of the lines{}; "
         "{:.1f} % of what it draws is false: {}\n"
         "runner-up  {}\n"
@@ -145,6 +146,7 @@ std::string as_text(const Advice& advice) {
         "GB/s, an estimate for a GPU\n"
         "next       {}\n",
         use.method,
+        alike.empty() ? "" : ": " + alike,
         ms_text(use),
         use.views,
         use.views == 1 ? "" : "s",
@@ -173,7 +175,11 @@ Json as_json(const Advice& advice) {
                 {"draw_ms", or_null(s->draw_ms)},
                 {"views", s->views}};
     };
+    Json as_cheap = Json::array();
+    for (const MethodSummary* s : advice.answer.as_cheap)
+        as_cheap.push_back(s->method);
     return {{"use", method_json(advice.answer.method)},
+            {"as_cheap", std::move(as_cheap)},
             {"runner_up", method_json(advice.answer.other())},
             {"counts_crowded", advice.is_crowded},
             {"picture", advice.picture},

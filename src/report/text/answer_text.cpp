@@ -78,15 +78,6 @@ std::string rival_sentence(const Answer& answer,
         rule.f_margin);
 }
 
-/// Which methods may be the answer as far as times can tell.
-std::string times_sentence(const Answer& answer, Markup markup) {
-    if (answer.as_cheap.empty()) return "";
-    std::vector<std::string> names;
-    for (const MethodSummary* s : answer.as_cheap)
-        names.push_back(code(s->method, markup));
-    return fmt::format(" Times cannot tell it from {}.", fmt::join(names, ", "));
-}
-
 /// How the other differs from the answer; nothing without a view that both have.
 std::optional<PairedDifference> difference_of(const std::vector<PairedDifference>& differences,
                                               const Answer& answer) {
@@ -151,7 +142,7 @@ std::string extent_text(const std::vector<harness::Row>& rows, const MethodSumma
                        rows.front().height);
 }
 
-std::string times_text(const MethodSummary& a, const MethodSummary& b) {
+std::string times_as_long(const MethodSummary& a, const MethodSummary& b) {
     if (!a.draw_ms || !b.draw_ms || a.has_own_clock || b.has_own_clock) return "";
     return fmt::format(", {:.1f} times as long", *b.draw_ms / *a.draw_ms);
 }
@@ -163,6 +154,14 @@ std::string format_ms(const std::optional<double>& ms) {
     // What rounds to 10 or 100 is shown as such: 9.996 is "10.0", not "10.00".
     const int decimals = *ms < 0.0995 ? 3 : *ms < 9.995 ? 2 : *ms < 99.95 ? 1 : 0;
     return fmt::format("{:.{}f}", *ms, decimals);
+}
+
+std::string times_text(const Answer& answer, Markup markup) {
+    if (answer.as_cheap.empty()) return "";
+    std::vector<std::string> names;
+    for (const MethodSummary* s : answer.as_cheap)
+        names.push_back(code(s->method, markup));
+    return fmt::format("times cannot tell it from {}", fmt::join(names, ", "));
 }
 
 AnswerText answer_text(const std::vector<harness::Row>& rows,
@@ -199,7 +198,8 @@ AnswerText answer_text(const std::vector<harness::Row>& rows,
     if (!is_alone && &method == answer.most_exact)
         first += rival.method == nullptr ? ", the most exact" : "; the first is the most exact";
     if (!method.draw_ms && !is_alone) first += "; no time was taken";
-    std::string rest = rival_sentence(answer, rival, rule, markup) + times_sentence(answer, markup);
+    std::string rest = rival_sentence(answer, rival, rule, markup);
+    if (!answer.as_cheap.empty()) rest += " T" + times_text(answer, markup).substr(1) + ".";
     const std::string scene = error_scene_text(method);
     if (!scene.empty()) rest += fmt::format(" It has {}.", scene);
     if (!is_alone) rest += other_sentences(rows, comparison.differences, answer, markup);
@@ -223,7 +223,7 @@ std::string paper_sentence(const std::vector<harness::Row>& rows,
                         other->method + ",",
                         *other->f_2px,
                         time_text("in", *other));
-    text += times_text(method, *other);
+    text += times_as_long(method, *other);
     const auto paired = difference_of(comparison.differences, answer);
     if (!paired) return text + ".";
     const std::string difference = format_paired_difference(*paired, true);

@@ -15,6 +15,10 @@ enum class Markup { none, markdown };
 /// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
 [[nodiscard]] std::string format_ms(const std::optional<double>& ms);
 
+/// Which methods may be the answer as far as times can tell: "times cannot tell it from `a`, `b`";
+/// "" where they can.
+[[nodiscard]] std::string times_text(const summary::Answer& answer, Markup markup);
+
 /// The answer in sentences.
 struct AnswerText {
     std::string first;  ///< the method and what it takes; without its full stop, as a heading
