@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/named.h"
+#include "core/split_list.h"
 #include "core/whole_file.h"
 #include "methods/method_file.h"
 #include "methods/presets.h"
@@ -43,21 +44,6 @@ void apply_setting(const method::Setting& setting, std::vector<method::MethodCon
 }
 
 }  // namespace
-
-std::vector<std::string> split_list(const std::string& text) {
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    while (begin <= text.size()) {
-        const auto end = std::min(text.find(',', begin), text.size());
-        const auto first = text.find_first_not_of(" \t", begin);
-        if (first < end) {
-            const auto last = text.find_last_not_of(" \t", end - 1);
-            parts.push_back(text.substr(first, last - first + 1));
-        }
-        begin = end + 1;
-    }
-    return parts;
-}
 
 void apply_settings(const std::vector<std::string>& settings,
                     std::vector<method::MethodConfig>& configs) {
@@ -99,7 +85,7 @@ std::vector<method::MethodConfig> make_configs(const std::string& methods,
                                                const std::vector<std::string>& presets) {
     std::vector<method::MethodConfig> configs;
     std::set<std::string> names;
-    for (const std::string& name : split_list(methods)) {
+    for (const std::string& name : core::split_list(methods)) {
         if (!names.insert(name).second) {
             throw core::Error("--methods", fmt::format("'{}' is named twice", name), "each once");
         }

@@ -10,9 +10,6 @@
 
 namespace ink::methods {
 
-/// "a, b,c" as its parts without the blanks round them, empty ones left out.
-[[nodiscard]] std::vector<std::string> split_list(const std::string& text);
-
 /// The configuration that a preset file of the user's describes (methods/presets.h).
 ///
 /// It may be called as a shipped preset, whose place it takes among all methods. Throws core::Error

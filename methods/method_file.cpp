@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/toml_reader.h"
 #include "methods/shipped_texts.h"
-#include "methods/toml_reader.h"
 
 namespace ink::methods {
 namespace {
@@ -13,7 +13,7 @@ constexpr const char* kNeeded = "source, summary, family, marker";
 
 /// The member of `all` that the text behind `key` names.
 template <class All>
-typename All::value_type named(const All& all, TomlReader& file, const char* key) {
+typename All::value_type named(const All& all, core::TomlReader& file, const char* key) {
     const std::string text = file.needed_text(key, kNeeded);
     std::vector<std::string> names;
     for (const auto each : all) {
@@ -25,7 +25,7 @@ typename All::value_type named(const All& all, TomlReader& file, const char* key
                       core::known_names(names, text));
 }
 
-method::SumLimit read_limit(TomlReader& table, const std::vector<core::Param>& params) {
+method::SumLimit read_limit(core::TomlReader& table, const std::vector<core::Param>& params) {
     table.refuse_unknown({"params", "limit"});
     const auto names = table.texts("params");
     const auto limit = table.numbers("limit");
@@ -34,15 +34,15 @@ method::SumLimit read_limit(TomlReader& table, const std::vector<core::Param>& p
             table.where(), "this is no limit", "{params = [\"a\", \"b\"], limit = 255}");
     }
     method::SumLimit read{.params = {}, .limit = limit[0]};
-    for (const TomlText& name : *names)
-        read.params.push_back(param_of(params, name.text, table.where_line(name.line)).name);
+    for (const core::TomlText& name : *names)
+        read.params.push_back(core::param_of(params, name.text, table.where_line(name.line)).name);
     return read;
 }
 
-method::Tunable read_tunable(TomlReader& table,
+method::Tunable read_tunable(core::TomlReader& table,
                              const std::string& name,
                              const std::vector<core::Param>& params) {
-    const core::Param& param = param_of(params, name, table.where(name));
+    const core::Param& param = core::param_of(params, name, table.where(name));
     const auto ends = table.numbers(name);
     if (ends.empty() && table.texts(name)->front().text == "all") return {.param = name};
     const bool is_range =
@@ -72,17 +72,17 @@ std::span<const ShippedFile> shipped_presets() {
 method::MethodInfo described(method::MethodInfo info,
                              std::string_view text,
                              const std::string& where) {
-    const toml::table root = parse_toml(text, where);
-    TomlReader file(root, where, "");
+    const toml::table root = core::parse_toml(text, where);
+    core::TomlReader file(root, where, "");
     file.refuse_unknown(
         {"source", "summary", "family", "marker", "sweep", "sum_limits", "tunables"});
     info.source = file.needed_text("source", kNeeded);
     info.summary = file.needed_text("summary", kNeeded);
     info.family = named(method::kFamilies, file, "family");
     info.marker = named(method::kMarkers, file, "marker");
-    for (TomlReader& line : file.tables("sweep"))
+    for (core::TomlReader& line : file.tables("sweep"))
         info.sweep.push_back(line.settings(info.params));
-    for (TomlReader& limit : file.tables("sum_limits"))
+    for (core::TomlReader& limit : file.tables("sum_limits"))
         info.sum_limits.push_back(read_limit(limit, info.params));
     if (auto tunables = file.table("tunables")) {
         for (const std::string& name : tunables->keys())

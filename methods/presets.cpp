@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/named.h"
-#include "methods/toml_reader.h"
+#include "core/toml_reader.h"
 
 namespace ink::methods {
 namespace {
@@ -114,8 +114,8 @@ std::string preset_toml(const PresetFile& preset) {
 Preset parse_preset(std::string_view text,
                     const std::string& where,
                     const std::vector<method::MethodInfo>& bases) {
-    const toml::table root = parse_toml(text, where);
-    TomlReader file(root, where, "");
+    const toml::table root = core::parse_toml(text, where);
+    core::TomlReader file(root, where, "");
     file.refuse_unknown({"name", "method", "settings", "provenance"});
     Preset preset;
     preset.name = file.needed_text("name", kNeeded);

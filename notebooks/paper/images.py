@@ -1,6 +1,6 @@
 """The images of a run folder: truth, what methods drew, their errors, their buffers.
 
-`images/<scene>/<view>/` is written by `src/harness/view_images.h`, which says what each file holds.
+`images/<scene>/<view>/` is written by `src/harness/images/view_images.h`, which says what each file holds.
 """
 
 from dataclasses import dataclass

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "experiment/dictionary.h"
-#include "harness/tables/row_table.h"
+#include "harness/rows/row_table.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "shade/hand_lines.h"
@@ -83,7 +83,7 @@ std::string list_shadings() {
 
 std::string list_metrics() {
     std::string text = "columns of rows.csv\n";
-    for (const harness::Column& column : harness::rows_table().info().columns)
+    for (const core::Column& column : harness::rows_table().info().columns)
         text += fmt::format("  {:<22} {:<10} {}\n", column.name, column.unit, column.doc);
     return text;
 }

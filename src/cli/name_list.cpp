@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/param.h"
-#include "methods/method_configs.h"
+#include "core/split_list.h"
 
 namespace ink::cli {
 namespace {
@@ -32,7 +32,7 @@ CLI::Option* add_repeatable_option(CLI::App& command,
 std::vector<std::string> list_parts(const std::vector<std::string>& texts) {
     std::vector<std::string> parts;
     for (const std::string& text : texts) {
-        for (std::string& part : methods::split_list(text))
+        for (std::string& part : core::split_list(text))
             parts.push_back(std::move(part));
     }
     return parts;

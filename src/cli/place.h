@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 
 namespace ink::cli {
 

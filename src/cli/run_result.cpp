@@ -12,7 +12,7 @@
 #include "core/interrupt.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
-#include "harness/timing.h"
+#include "harness/clock/timing.h"
 #include "report/run_page.h"
 #include "report/text/verdict.h"
 #include "studies/axis_summary.h"

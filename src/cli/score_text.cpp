@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cli/json_values.h"
+#include "core/tables/csv.h"
 #include "core/text_table.h"
-#include "harness/tables/csv.h"
 
 namespace ink::cli {
 namespace {
@@ -51,7 +51,7 @@ Json counts_json(const score::Score& s) {
         result["classes"][std::to_string(c.label)] = {{"k", c.k}, {"n_truth", c.n_truth}};
     result["class_names"] = Json::object();
     for (const score::ClassCount& c : s.classes)
-        result["class_names"][std::to_string(c.label)] = draw::label_text(c.label);
+        result["class_names"][std::to_string(c.label)] = given_images::label_text(c.label);
     return result;
 }
 
@@ -89,13 +89,13 @@ std::string ink_lines(const score::SoftScore& soft) {
         soft.missing_px);
 }
 
-std::string polarity_of(const draw::FilesScore& scored) {
+std::string polarity_of(const given_images::FilesScore& scored) {
     return scored.is_inverted ? "dark lines on light" : "light lines on dark";
 }
 
 }  // namespace
 
-std::string score_json(const draw::FilesScore& scored) {
+std::string score_json(const given_images::FilesScore& scored) {
     Json result = counts_json(scored.score);
     add_ink(scored.soft, result);
     result["polarity"] = scored.is_inverted ? "dark" : "light";
@@ -109,7 +109,7 @@ std::string score_json(const draw::FilesScore& scored) {
 
 std::string score_table(const std::filesystem::path& prediction,
                         const std::string& truth_name,
-                        const draw::FilesScore& scored) {
+                        const given_images::FilesScore& scored) {
     const score::Score& s = scored.score;
     const score::ScoreOptions& options = scored.options;
     std::string text = fmt::format("{} against {}\n", prediction.filename().string(), truth_name);
@@ -144,7 +144,7 @@ std::string score_table(const std::filesystem::path& prediction,
     text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
     for (const score::ClassCount& c : s.classes) {
         text += fmt::format("  {:<16} {:>6.4f} {:>9} {:>9}\n",
-                            draw::label_text(c.label),
+                            given_images::label_text(c.label),
                             static_cast<double>(c.k) / static_cast<double>(c.n_truth),
                             c.k,
                             c.n_truth);
@@ -152,12 +152,12 @@ std::string score_table(const std::filesystem::path& prediction,
     return text;
 }
 
-std::string folder_table(const std::vector<draw::FolderScore>& scores, bool is_markdown) {
+std::string folder_table(const std::vector<given_images::FolderScore>& scores, bool is_markdown) {
     const char* const item = is_markdown ? "- " : "";
     core::Cells cells{{"image", "F", "precision", "recall", "predicted", "true"}};
     std::map<std::string, std::string> read_as;  // the images by how they were read
     std::string unscored;
-    for (const draw::FolderScore& each : scores) {
+    for (const given_images::FolderScore& each : scores) {
         if (!each.score) {
             unscored += fmt::format("{}no score: {}: {}\n", item, each.name, each.status);
             continue;
@@ -173,9 +173,9 @@ std::string folder_table(const std::vector<draw::FolderScore>& scores, bool is_m
                          std::to_string(each.score->n_pred),
                          std::to_string(each.score->n_truth)});
     }
-    const score::CurveCount all = draw::pooled(scores);
+    const score::CurveCount all = given_images::pooled(scores);
     cells.push_back({"all, pooled",
-                     four_places(draw::pooled_f(scores)),
+                     four_places(given_images::pooled_f(scores)),
                      "",
                      "",
                      std::to_string(all.n_pred),
@@ -187,10 +187,10 @@ std::string folder_table(const std::vector<draw::FolderScore>& scores, bool is_m
     return text;
 }
 
-std::string folder_json(const std::vector<draw::FolderScore>& scores,
+std::string folder_json(const std::vector<given_images::FolderScore>& scores,
                         const std::vector<std::string>& unmatched) {
     Json result = {{"images", Json::object()}};
-    for (const draw::FolderScore& each : scores) {
+    for (const given_images::FolderScore& each : scores) {
         Json image = each.score ? counts_json(*each.score) : Json::object();
         image["status"] = each.status;
         add_ink(each.soft, image);
@@ -200,16 +200,16 @@ std::string folder_json(const std::vector<draw::FolderScore>& scores,
         }
         result["images"][each.name] = std::move(image);
     }
-    const score::CurveCount all = draw::pooled(scores);
+    const score::CurveCount all = given_images::pooled(scores);
     result["pooled"] = {{"k", all.k},
                         {"n_pred", all.n_pred},
                         {"n_truth", all.n_truth},
-                        {"f", or_null(draw::pooled_f(scores))}};
+                        {"f", or_null(given_images::pooled_f(scores))}};
     result["unmatched"] = unmatched;
     return result.dump(2) + "\n";
 }
 
-std::string folder_csv(const std::vector<draw::FolderScore>& scores) {
+std::string folder_csv(const std::vector<given_images::FolderScore>& scores) {
     std::string text =
         "image,status,f,precision,recall,k,n_pred,n_truth,unmatched_duplicates,false_positives,"
         "unmatched_truth,false_negatives,mean_width_px";
@@ -221,8 +221,8 @@ std::string folder_csv(const std::vector<draw::FolderScore>& scores) {
     const auto number = [](std::optional<double> value) {
         return value ? fmt::format("{}", *value) : "";
     };
-    for (const draw::FolderScore& each : scores) {
-        text += harness::csv_field(each.name) + "," + harness::csv_field(each.status);
+    for (const given_images::FolderScore& each : scores) {
+        text += core::csv_field(each.name) + "," + core::csv_field(each.status);
         if (!each.score) {
             text += ",,,,,,,,,,,";
         } else {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "harness/suite.h"
-#include "harness/tracing.h"
+#include "harness/suite/suite.h"
+#include "harness/truths/tracing.h"
 
 namespace ink::cli {
 

@@ -17,7 +17,7 @@
 #include "draw/dxf_drawing.h"
 #include "draw/line_drawing.h"
 #include "draw/sheet.h"
-#include "harness/view_images.h"
+#include "harness/images/view_images.h"
 
 namespace ink::cli {
 namespace {

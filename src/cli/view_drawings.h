@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "truth/model.h"
 
 namespace ink::cli {

@@ -9,7 +9,7 @@
 #include "core/param.h"
 #include "draw/error_image.h"
 #include "edge/edge_image.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "method/method.h"
 #include "method/method_config.h"
 #include "raster/skips.h"

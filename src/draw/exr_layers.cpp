@@ -9,8 +9,8 @@
 
 #include "core/provenance.h"
 #include "draw/error_image.h"
-#include "harness/cell.h"
-#include "harness/tracing.h"
+#include "harness/cells/cell.h"
+#include "harness/truths/tracing.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "score/coverage.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "draw/drawing.h"
-#include "harness/suite.h"
-#include "harness/tracing.h"
+#include "harness/suite/suite.h"
+#include "harness/truths/tracing.h"
 #include "method/method_config.h"
 #include "truth/truth.h"
 

@@ -19,7 +19,7 @@
 #include "core/work_clock.h"
 #include "entrants/image_folder.h"
 #include "entrants/view_files.h"
-#include "harness/row.h"
+#include "harness/rows/row.h"
 #include "import/child_process.h"
 #include "methods/registry.h"
 

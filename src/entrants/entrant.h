@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "harness/outside_method.h"
+#include "harness/clock/outside_method.h"
 #include "method/method_config.h"
 
 namespace ink::entrants {
@@ -31,11 +31,11 @@ struct EntrantLimits {
 /// The entrant as a method configuration.
 ///
 /// Images of a folder are `path/<scene>/<view>.png`, of any depth, dark lines on light or light on
-/// dark (harness/outline_image.h); `path/times.csv` (scene, view, draw_ms) says how long they took.
-/// A program is called as `path view.json out.png` once a view (view_json()); its time is what it
-/// prints as "draw_ms NUMBER", else the processor time of the whole call, its children's too. A
-/// missing image, one of another size, and a program that fails, hangs or writes nothing is an
-/// error of that view alone. Parameters are `threshold` (128), and for the record `entrant` (the
+/// dark (harness/images/outline_image.h); `path/times.csv` (scene, view, draw_ms) says how long
+/// they took. A program is called as `path view.json out.png` once a view (view_json()); its time
+/// is what it prints as "draw_ms NUMBER", else the processor time of the whole call, its children's
+/// too. A missing image, one of another size, and a program that fails, hangs or writes nothing is
+/// an error of that view alone. Parameters are `threshold` (128), and for the record `entrant` (the
 /// path) and `content` (a hash of the images or the program).
 [[nodiscard]] method::MethodConfig entrant_config(const Entrant& entrant,
                                                   const EntrantLimits& limits = {});

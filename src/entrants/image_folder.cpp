@@ -10,10 +10,10 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/tables/csv_table.h"
 #include "core/whole_file.h"
-#include "harness/outline_image.h"
-#include "harness/tables/csv_table.h"
-#include "harness/view_images.h"
+#include "harness/images/outline_image.h"
+#include "harness/images/view_images.h"
 
 namespace ink::entrants {
 namespace {
@@ -29,7 +29,7 @@ Times read_times(const fs::path& file) {
     if (!fs::exists(file)) return times;
     const auto text = core::read_whole_file(file);
     if (!text) throw core::Error(file.string(), "it cannot be read", "times as CSV");
-    const harness::CsvTable table = harness::split_csv(*text, file.string());
+    const core::CsvTable table = core::split_csv(*text, file.string());
     const std::size_t scene = table.find("scene");
     const std::size_t view = table.find("view");
     const std::size_t draw_ms = table.find("draw_ms");
@@ -37,11 +37,11 @@ Times read_times(const fs::path& file) {
         throw core::Error(file.string(), "a column is missing", "scene, view and draw_ms");
     }
     for (std::size_t i = 0; i < table.records.size(); ++i) {
-        const harness::CsvField field(table, i, draw_ms);
+        const core::CsvField field(table, i, draw_ms);
         const auto ms = field.as<double>();
         if (!(ms >= 0 && ms < 1e9)) field.refuse("milliseconds, 0 or more");
-        times[{harness::unquoted(table.records[i][scene]),
-               harness::unquoted(table.records[i][view])}] = std::llround(ms * kNsPerMs);
+        times[{core::unquoted(table.records[i][scene]), core::unquoted(table.records[i][view])}] =
+            std::llround(ms * kNsPerMs);
     }
     return times;
 }

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/outside_method.h"
+#include "harness/clock/outside_method.h"
 
 namespace ink::entrants {
 
-/// The image in a file as edge responses (harness/outline_image.h). Throws core::Error that names
-/// the file if it cannot be read or has another size than the view.
+/// The image in a file as edge responses (harness/images/outline_image.h). Throws core::Error that
+/// names the file if it cannot be read or has another size than the view.
 [[nodiscard]] edge::EdgeImage read_entrant_image(const std::filesystem::path& path,
                                                  const scene::View& view);
 

@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "core/whole_file.h"
 #include "entrants/mesh_files.h"
-#include "harness/out_folder.h"
+#include "harness/images/out_folder.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "scene/surface.h"

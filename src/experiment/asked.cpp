@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/named.h"
+#include "core/toml_reader.h"
 #include "experiment/options/option_table.h"
-#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
@@ -33,12 +33,12 @@ toml::table views_of(const harness::ViewRequest& request) {
     toml::table views;
     if (request.orbit_count) views.insert("orbit", *request.orbit_count);
     if (!request.directions.empty())
-        views.insert("directions", methods::array_of(core::names_of(request.directions)));
+        views.insert("directions", core::array_of(core::names_of(request.directions)));
     if (request.up) views.insert("up", name(*request.up));
     if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
     if (request.height_world) views.insert("parallel_height", *request.height_world);
     if (request.margin) views.insert("margin", *request.margin);
-    if (!request.objects.empty()) views.insert("objects", methods::array_of(request.objects));
+    if (!request.objects.empty()) views.insert("objects", core::array_of(request.objects));
     if (request.file_cameras) views.insert("file_cameras", true);
     if (!request.cameras.empty()) views.insert("cameras", cameras_of(request));
     if (request.time_s) views.insert("time_s", *request.time_s);
@@ -63,7 +63,7 @@ toml::array grids_of(const Experiment& experiment) {
     for (const SettingGrid& grid : experiment.grids) {
         toml::table axes;
         for (const auto& [key, values] : grid.axes)
-            axes.insert(key, methods::array_of(values));
+            axes.insert(key, core::array_of(values));
         grids.push_back(toml::table{{"method", grid.method}, {"parameters", std::move(axes)}});
     }
     return grids;
@@ -77,7 +77,7 @@ void add_option(const Experiment& experiment, std::size_t row, toml::table& aske
     toml::table* table =
         of.empty() ? &asked : asked.emplace<toml::table>(of).first->second.as_table();
     if (param.kind == core::ParamKind::list) {
-        table->insert(key, methods::array_of(texts));
+        table->insert(key, core::array_of(texts));
         return;
     }
     if (texts.empty()) return;

@@ -10,9 +10,9 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "core/parse_number.h"
+#include "core/toml_reader.h"
 #include "core/whole_file.h"
-#include "harness/out_folder.h"
-#include "methods/toml_reader.h"
+#include "harness/images/out_folder.h"
 
 namespace ink::experiment {
 namespace {
@@ -61,7 +61,7 @@ std::string record_text(const KeptBlock& block, const BlockResult& result) {
     std::ostringstream text;
     text << toml::table{{"key", block.key},
                         {"seconds", block.seconds},
-                        {"faults", methods::array_of(block.faults)},
+                        {"faults", core::array_of(block.faults)},
                         {"tables", hashes}}
          << '\n';
     return text.str();
@@ -107,12 +107,12 @@ std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
     const fs::path file = place_of(index) / kRecord;
     const auto text = core::read_whole_file(file);
     if (!text) return std::nullopt;
-    const toml::table root = methods::parse_toml(*text, file);
+    const toml::table root = core::parse_toml(*text, file);
     if (!has_tables(root, place_of(index))) return std::nullopt;
     KeptBlock block;
     block.key = root["key"].value_or(std::string());
     block.seconds = root["seconds"].value_or(0.0);
-    block.faults = methods::texts_of(root["faults"]);
+    block.faults = core::texts_of(root["faults"]);
     return block;
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "harness/tables/cost_tables.h"
-#include "harness/tables/methods_table.h"
-#include "harness/tables/row_table.h"
-#include "harness/tables/score_tables.h"
-#include "harness/tables/sweep_table.h"
+#include "harness/rows/cost_tables.h"
+#include "harness/rows/methods_table.h"
+#include "harness/rows/row_table.h"
+#include "harness/rows/score_tables.h"
+#include "harness/rows/sweep_table.h"
 #include "linear_code/cancellation_study.h"
 #include "studies/axis_summary.h"
 #include "studies/axis_tables.h"
@@ -20,7 +20,7 @@
 namespace ink::experiment {
 namespace {
 
-harness::TableInfo run_record() {
+core::TableInfo run_record() {
     return {
         "run.toml",
         "What was asked of the run, and which build and machine answered. Not a table: these are "
@@ -43,9 +43,9 @@ harness::TableInfo run_record() {
 }
 
 /// Its columns differ from run to run: one stands here for all swept parameters.
-harness::TableInfo sweep() {
-    harness::TableInfo table = harness::sweep_table({"PARAMETER"});
-    for (harness::Column& column : table.columns) {
+core::TableInfo sweep() {
+    core::TableInfo table = harness::sweep_table({"PARAMETER"});
+    for (core::Column& column : table.columns) {
         if (column.name == "PARAMETER")
             column.doc =
                 "one column per swept parameter, under its own name; empty if the method "
@@ -56,8 +56,8 @@ harness::TableInfo sweep() {
 
 }  // namespace
 
-harness::TableInfo evaluations_table(const std::vector<std::string>& searched) {
-    harness::TableInfo table{
+core::TableInfo evaluations_table(const std::vector<std::string>& searched) {
+    core::TableInfo table{
         "evaluations.csv",
         "A line per evaluation of the tuner, in the order in which they were made.",
         {{"evaluation", "", "its number within the search; the random search counts from 1 again"},
@@ -72,7 +72,7 @@ harness::TableInfo evaluations_table(const std::vector<std::string>& searched) {
     return table;
 }
 
-std::vector<harness::TableInfo> dictionary() {
+std::vector<core::TableInfo> dictionary() {
     return {run_record(),
             harness::methods_table(),
             harness::rows_table(),
@@ -107,16 +107,16 @@ std::string dictionary_markdown() {
         "cell of it by its number in `cell`. Files are CSV (RFC 4180, UTF-8, \"\\n\"). Numbers "
         "have the shortest form that reads back to the same value. A field is empty where nothing "
         "was measured. Two runs of one plan differ only in columns marked *time*.\n";
-    for (const harness::TableInfo& table : dictionary())
-        text += fmt::format("\n{}", harness::dictionary_section(table));
+    for (const core::TableInfo& table : dictionary())
+        text += fmt::format("\n{}", core::dictionary_section(table));
     return text;
 }
 
 std::string dictionary_text() {
     std::string text = "columns (of the files of a run folder; --markdown for a page)\n";
-    for (const harness::TableInfo& table : dictionary()) {
+    for (const core::TableInfo& table : dictionary()) {
         text += fmt::format("  {}\n", table.file);
-        for (const harness::Column& column : table.columns) {
+        for (const core::Column& column : table.columns) {
             text += fmt::format("    {:<22} {:<12} {}\n", column.name, column.unit, column.doc);
         }
     }

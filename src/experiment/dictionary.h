@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/table.h"
+#include "core/tables/table.h"
 
 namespace ink::experiment {
 
 /// evaluations.csv of a tuner that searches parameters of these names.
-[[nodiscard]] harness::TableInfo evaluations_table(const std::vector<std::string>& searched);
+[[nodiscard]] core::TableInfo evaluations_table(const std::vector<std::string>& searched);
 
 /// Every table that a run folder may hold, and its run.toml (whose keys stand as columns), in the
 /// order in which a reader meets them.
-[[nodiscard]] std::vector<harness::TableInfo> dictionary();
+[[nodiscard]] std::vector<core::TableInfo> dictionary();
 
 /// The data dictionary as Markdown: experiments/columns.md.
 [[nodiscard]] std::string dictionary_markdown();

@@ -11,7 +11,7 @@
 #include "core/parse_number.h"
 #include "entrants/entrant.h"
 #include "experiment/options/option_table.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 
 namespace ink::experiment {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/param.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "methods/antialias.h"
 #include "methods/method_configs.h"
 #include "score/coverage.h"

@@ -4,23 +4,23 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/toml_reader.h"
 #include "core/whole_file.h"
 #include "experiment/experiment.h"
 #include "experiment/options/option_table.h"
 #include "methods/method_configs.h"
-#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
 
 /// The texts of a key, of the type that the option has, each with its line.
-std::vector<core::GivenText> given_texts(methods::TomlReader& table,
+std::vector<core::GivenText> given_texts(core::TomlReader& table,
                                          const std::string& key,
                                          const core::Param& param) {
     std::vector<core::GivenText> given;
     if (param.kind == core::ParamKind::list) {
         const auto texts = table.texts(key);
-        for (const methods::TomlText& text : *texts)
+        for (const core::TomlText& text : *texts)
             given.push_back({text.text, table.where_line(text.line)});
     } else {
         given.push_back({table.scalar(key, param), table.where(key)});
@@ -30,7 +30,7 @@ std::vector<core::GivenText> given_texts(methods::TomlReader& table,
 
 /// Reads the options of a table, "" for the top of the file, in the order of the option table.
 /// `others` are keys that are read elsewhere.
-void read_options(methods::TomlReader& table,
+void read_options(core::TomlReader& table,
                   const std::string& name,
                   const std::vector<std::string>& others,
                   Experiment& experiment) {
@@ -47,7 +47,7 @@ void read_options(methods::TomlReader& table,
     table.refuse_unknown(known);
 }
 
-std::string one_text(methods::TomlReader& reader, const std::string& key) {
+std::string one_text(core::TomlReader& reader, const std::string& key) {
     const auto texts = reader.texts(key);
     if (texts->size() == 1) return texts->front().text;
     throw core::Error(reader.where(key),
@@ -59,9 +59,9 @@ std::string all_methods(const Experiment& experiment) {
     return fmt::format("{}", fmt::join(experiment.methods, ","));
 }
 
-void read_settings(methods::TomlReader& settings, Experiment& experiment) {
+void read_settings(core::TomlReader& settings, Experiment& experiment) {
     const auto add =
-        [&](methods::TomlReader& table, const std::string& prefix, const std::string& key) {
+        [&](core::TomlReader& table, const std::string& prefix, const std::string& key) {
             const std::string text = prefix + key + "=" + one_text(table, key);
             at_place(table.where(key),
                      [&] { (void)methods::make_configs(all_methods(experiment), {text}); });
@@ -78,12 +78,12 @@ void read_settings(methods::TomlReader& settings, Experiment& experiment) {
     }
 }
 
-SettingGrid read_setting_grid(methods::TomlReader& table, const std::string& method) {
+SettingGrid read_setting_grid(core::TomlReader& table, const std::string& method) {
     SettingGrid grid{method, {}};
     for (const std::string& key : table.keys()) {
         std::vector<std::string> values;
         const auto texts = table.texts(key);
-        for (const methods::TomlText& value : *texts) {
+        for (const core::TomlText& value : *texts) {
             at_place(table.where_line(value.line), [&] {
                 (void)methods::make_configs(method, {method + "." + key + "=" + value.text});
             });
@@ -95,7 +95,7 @@ SettingGrid read_setting_grid(methods::TomlReader& table, const std::string& met
 }
 
 /// The grids of methods; the table's own keys are options.
-void read_sweep(methods::TomlReader& sweep, Experiment& experiment) {
+void read_sweep(core::TomlReader& sweep, Experiment& experiment) {
     if (experiment.kind != ExperimentKind::compare) {
         throw core::Error(sweep.where(), "this kind of experiment has no sweep", "kind = compare");
     }
@@ -108,7 +108,7 @@ void read_sweep(methods::TomlReader& sweep, Experiment& experiment) {
     read_options(sweep, "sweep", experiment.methods, experiment);
 }
 
-ExperimentKind read_kind(methods::TomlReader& file) {
+ExperimentKind read_kind(core::TomlReader& file) {
     const std::string kind = file.text("kind").value_or("");
     using enum ExperimentKind;
     for (const ExperimentKind each : {compare, stress, animation, hardest})
@@ -118,7 +118,7 @@ ExperimentKind read_kind(methods::TomlReader& file) {
                       "compare | stress | animation | hardest");
 }
 
-std::string read_name(methods::TomlReader& file) {
+std::string read_name(core::TomlReader& file) {
     const std::string name = file.text("name").value_or("");
     const bool is_good = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
@@ -135,8 +135,8 @@ std::string read_name(methods::TomlReader& file) {
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::filesystem::path& file) {
-    const toml::table root = methods::parse_toml(text, file);
-    methods::TomlReader reader(root, file, "");
+    const toml::table root = core::parse_toml(text, file);
+    core::TomlReader reader(root, file, "");
     Experiment experiment;
     experiment.where = file.string();
     experiment.name = read_name(reader);
@@ -149,17 +149,17 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     read_options(reader, "", tables, experiment);
     const toml::table none;
     const auto part = [&](const char* name) {
-        return reader.table(name).value_or(methods::TomlReader(none, file, name));
+        return reader.table(name).value_or(core::TomlReader(none, file, name));
     };
     for (const char* name : {"grid", "measure", "answer", "study", "search"}) {
-        methods::TomlReader table = part(name);
+        core::TomlReader table = part(name);
         read_options(table, name, {}, experiment);
     }
     if (experiment.kind == ExperimentKind::hardest) add_searched_methods(experiment);
     if (experiment.methods.empty())
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");
-    methods::TomlReader settings = part("settings");
+    core::TomlReader settings = part("settings");
     read_settings(settings, experiment);
     if (auto sweep = reader.table("sweep")) read_sweep(*sweep, experiment);
     return experiment;

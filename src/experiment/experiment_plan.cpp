@@ -15,7 +15,7 @@
 #include "core/provenance.h"
 #include "core/whole_file.h"
 #include "experiment/asked.h"
-#include "harness/tables/methods_table.h"
+#include "harness/rows/methods_table.h"
 #include "studies/axis_tables.h"
 
 namespace ink::experiment {
@@ -67,16 +67,16 @@ int Plan::cells() const {
     });
 }
 
-void RunHead::add_table(const harness::TableInfo& table) {
+void RunHead::add_table(const core::TableInfo& table) {
     if (core::find_named(tables, table.file) != nullptr) return;
-    std::string columns = harness::heading(table);
+    std::string columns = core::heading(table);
     columns.pop_back();  // its line break
     tables.push_back({table.file, std::move(columns)});
 }
 
 void Plan::add_axis(const studies::Axis& axis) {
     std::string& text = files["axes.csv"];
-    if (text.empty()) text = harness::heading(studies::axes_table());
+    if (text.empty()) text = core::heading(studies::axes_table());
     if (text.find(fmt::format("\n{},", axis.name)) == std::string::npos)
         text += studies::axes_table().line(axis);
 }

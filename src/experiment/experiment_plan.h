@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/tables/table.h"
 #include "experiment/experiment.h"
 #include "experiment/stage_times.h"
-#include "harness/tables/table.h"
-#include "harness/tracing.h"
+#include "harness/truths/tracing.h"
 #include "summary/answer.h"
 
 namespace ink::experiment {
@@ -75,7 +75,7 @@ struct RunHead {
     std::vector<RecordedTable> tables;
     std::vector<ModelFacts> models;  ///< of which there is something to say
 
-    void add_table(const harness::TableInfo& table);
+    void add_table(const core::TableInfo& table);
     /// Notes in `models` what there is to say of the scene.
     void add_model(const scene::Scene& scene);
 };

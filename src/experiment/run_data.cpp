@@ -17,9 +17,9 @@
 #include "experiment/block_store.h"
 #include "experiment/dictionary.h"
 #include "experiment/run_tables.h"
-#include "harness/tables/cost_tables.h"
-#include "harness/tables/score_tables.h"
-#include "harness/tables/sweep_table.h"
+#include "harness/rows/cost_tables.h"
+#include "harness/rows/score_tables.h"
+#include "harness/rows/sweep_table.h"
 #include "studies/axis_tables.h"
 #include "studies/hardest/hardest_table.h"
 
@@ -60,9 +60,8 @@ std::optional<std::string> read_table(const fs::path& path) {
 }
 
 /// The tables that are read back, those of them that are there.
-std::map<std::string, harness::CsvTable> split_tables(const Texts& texts,
-                                                      const std::string& where) {
-    std::map<std::string, harness::CsvTable> tables;
+std::map<std::string, core::CsvTable> split_tables(const Texts& texts, const std::string& where) {
+    std::map<std::string, core::CsvTable> tables;
     for (const char* name : {"rows.csv",
                              "tolerances.csv",
                              "bins.csv",
@@ -77,7 +76,7 @@ std::map<std::string, harness::CsvTable> split_tables(const Texts& texts,
         names.push_back(name);
     core::parallel_for(names.size(), core::hardware_threads(), [&](std::size_t i) {
         const std::string file = (fs::path(where) / names[i]).string();
-        tables.at(names[i]) = harness::split_csv(texts.at(names[i]), file);
+        tables.at(names[i]) = core::split_csv(texts.at(names[i]), file);
     });
     return tables;
 }
@@ -91,8 +90,8 @@ summary::Comparison comparison_of(const RunData& run) {
         auto read =
             summary::read_comparison(run.tables.rows,
                                      run.record.answer,
-                                     harness::split_csv(summary->second, "summary.csv"),
-                                     harness::split_csv(differences->second, "differences.csv"));
+                                     core::split_csv(summary->second, "summary.csv"),
+                                     core::split_csv(differences->second, "differences.csv"));
         if (read) return *std::move(read);
     }
     RunTables kept;
@@ -105,12 +104,12 @@ summary::Comparison comparison_of(const RunData& run) {
 
 RunTables parse_tables(const Texts& texts, const std::string& where) {
     RunTables run;
-    const std::map<std::string, harness::CsvTable> tables = split_tables(texts, where);
+    const std::map<std::string, core::CsvTable> tables = split_tables(texts, where);
     const auto table = [&](const char* name) {
         const auto found = tables.find(name);
         return found == tables.end() ? nullptr : &found->second;
     };
-    const harness::CsvTable* rows = table("rows.csv");
+    const core::CsvTable* rows = table("rows.csv");
     if (rows == nullptr) return run;
     std::vector<harness::RowRecord> records = harness::read_rows(*rows);
     if (const auto* csv = table("tolerances.csv")) harness::join_tolerances(*csv, records);
@@ -183,7 +182,7 @@ RunData read_run(const fs::path& folder) {
             }
             texts[table.name] = *std::move(text);
         }
-        for (const harness::TableInfo& table : dictionary()) {
+        for (const core::TableInfo& table : dictionary()) {
             if (texts.contains(table.file) || table.file == "run.toml") continue;
             if (auto text = read_table(folder / table.file)) texts[table.file] = *std::move(text);
         }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiment/run_record.h"
-#include "harness/row.h"
+#include "harness/rows/row.h"
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
 #include "studies/hardest/hardest_view.h"

@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "core/provenance.h"
+#include "core/toml_reader.h"
 #include "core/whole_file.h"
-#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
@@ -53,8 +53,8 @@ toml::table progress_of(const RunRecord& record) {
         if (!record.work_parts.empty()) progress.insert("work_parts", record.work_parts);
     }
     if (!record.missing_blocks.empty())
-        progress.insert("missing", methods::array_of(record.missing_blocks));
-    if (!record.faults.empty()) progress.insert("faults", methods::array_of(record.faults));
+        progress.insert("missing", core::array_of(record.missing_blocks));
+    if (!record.faults.empty()) progress.insert("faults", core::array_of(record.faults));
     return progress;
 }
 
@@ -64,7 +64,7 @@ toml::array tables_of(const std::vector<ModelFacts>& models) {
         const glm::dvec3& o = model.origin;
         tables.push_back(toml::table{{"scene", model.scene},
                                      {"origin", toml::array{o.x, o.y, o.z}},
-                                     {"not_heeded", methods::array_of(model.notes)}});
+                                     {"not_heeded", core::array_of(model.notes)}});
     }
     return tables;
 }
@@ -75,7 +75,7 @@ std::vector<ModelFacts> models_of(const toml::node_view<const toml::node>& node)
     for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
         const auto table = node[i];
         ModelFacts model{
-            table["scene"].value_or(std::string()), {}, methods::texts_of(table["not_heeded"])};
+            table["scene"].value_or(std::string()), {}, core::texts_of(table["not_heeded"])};
         for (int axis = 0; axis < 3; ++axis)
             model.origin[axis] = table["origin"][static_cast<std::size_t>(axis)].value_or(0.0);
         models.push_back(std::move(model));
@@ -131,7 +131,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     const fs::path file = folder / kFile;
     const auto text = core::read_whole_file(file);
     if (!text) return std::nullopt;
-    const toml::table root = methods::parse_toml(*text, file);
+    const toml::table root = core::parse_toml(*text, file);
     RunRecord record;
     record.name = root["name"].value_or(std::string());
     record.kind = root["kind"].value_or(std::string());
@@ -144,8 +144,8 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
                      answer["budget_ms"].value_or(usual.budget_ms)};
     record.times = root["times"].value_or(true);
     record.one_place = root["one_place"].value_or(true);
-    const auto names = methods::texts_of(root["tables"]["names"]);
-    const auto headings = methods::texts_of(root["tables"]["headings"]);
+    const auto names = core::texts_of(root["tables"]["names"]);
+    const auto headings = core::texts_of(root["tables"]["headings"]);
     record.models = models_of(toml::node_view<const toml::node>(root["models"]));
     const auto progress = root["progress"];
     const auto state = state_called(progress["state"].value_or(std::string()));
@@ -154,8 +154,8 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.cells = progress["cells"].value_or(0);
     record.work_s = progress["work_s"].value_or(0.0);
     record.work_parts = progress["work_parts"].value_or(std::string());
-    record.missing_blocks = methods::texts_of(progress["missing"]);
-    record.faults = methods::texts_of(progress["faults"]);
+    record.missing_blocks = core::texts_of(progress["missing"]);
+    record.faults = core::texts_of(progress["faults"]);
     const toml::table* asked = root["asked"].as_table();
     if (record.identity.empty() || !state || asked == nullptr || names.size() != headings.size()) {
         throw core::Error(
@@ -188,7 +188,7 @@ void write_record(const RunRecord& record, const fs::path& folder) {
                      {"built", built()},
                      {"machine", machine()},
                      {"tables", toml::table{{"names", names}, {"headings", headings}}},
-                     {"asked", methods::parse_toml(record.asked, folder / kFile)}};
+                     {"asked", core::parse_toml(record.asked, folder / kFile)}};
     if (!record.models.empty()) root.insert("models", tables_of(record.models));
     std::ostringstream text;
     text << "# What was asked of this run, and what answered. Written and read by inkbench.\n"

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/parallel.h"
+#include "core/tables/csv_table.h"
 #include "experiment/run_data.h"
-#include "harness/tables/csv_table.h"
 #include "studies/axis_summary.h"
 #include "summary/cost_model.h"
 #include "summary/summary_csv.h"
@@ -31,13 +31,13 @@ std::string joined(const RecordedTable& table,
 /// block of a cell's settings may be done, and that of the cell itself not.
 void drop_lines_without_cell(std::map<std::string, std::string>& texts) {
     if (!texts.contains("rows.csv")) return;
-    const harness::CsvTable rows = harness::split_csv(texts.at("rows.csv"), "rows.csv");
+    const core::CsvTable rows = core::split_csv(texts.at("rows.csv"), "rows.csv");
     const std::size_t cell = rows.find("cell");
     std::set<std::string> cells;
     for (const auto& record : rows.records)
         cells.insert(record[cell]);
     for (auto& [name, text] : texts) {
-        const harness::CsvTable table = harness::split_csv(text, name);
+        const core::CsvTable table = core::split_csv(text, name);
         const std::size_t column = table.find("cell");
         if (name == "rows.csv" || column == table.columns.size()) continue;
         std::string kept = text.substr(0, text.find('\n') + 1);

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "harness/skip_switches.h"
-#include "harness/suite.h"
+#include "harness/cells/skip_switches.h"
+#include "harness/suite/suite.h"
 
 namespace ink::experiment {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "experiment/experiment.h"
-#include "harness/miss_prediction.h"
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
+#include "harness/scores/miss_prediction.h"
 #include "scene/prepared_scene.h"
 
 namespace ink::experiment {

@@ -10,8 +10,8 @@
 #include "core/named.h"
 #include "core/param.h"
 #include "core/parse_number.h"
+#include "core/split_list.h"
 #include "experiment/experiment.h"
-#include "methods/method_configs.h"
 
 namespace ink::experiment {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr double kMostMargin = 0.45;
 
 glm::dvec3 parse_point(const std::string& text, const std::string& option) {
-    const std::vector<std::string> parts = methods::split_list(text);
+    const std::vector<std::string> parts = core::split_list(text);
     glm::dvec3 point{0};
     bool is_point = parts.size() == 3;
     for (int i = 0; is_point && i < 3; ++i) {
@@ -96,7 +96,7 @@ void parse_up(const ViewOptions& options, harness::ViewRequest& request) {
 
 void parse_projection_options(const ViewOptions& options, harness::ViewRequest& request) {
     std::vector<core::GivenText> names;
-    for (const std::string& name : methods::split_list(options.projection))
+    for (const std::string& name : core::split_list(options.projection))
         names.push_back({name, "--projection"});
     request.projections = parse_projections(names);
     if (!options.parallel_height) return;
@@ -157,7 +157,7 @@ std::string accepted_views(const std::string& wrong) {
 std::vector<scene::NamedDirection> parse_directions(const std::string& names) {
     const auto known = scene::drawing_views();
     std::vector<scene::NamedDirection> directions;
-    for (const std::string& name : methods::split_list(names)) {
+    for (const std::string& name : core::split_list(names)) {
         const auto* direction = core::find_named(known, name);
         if (direction == nullptr)
             throw core::Error(

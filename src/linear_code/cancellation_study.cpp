@@ -10,8 +10,8 @@
 #include "edge/laplacian.h"
 #include "edge/thin.h"
 #include "edge/threshold.h"
-#include "harness/cell.h"
-#include "harness/truth_code.h"
+#include "harness/cells/cell.h"
+#include "harness/truths/truth_code.h"
 #include "score/drawing.h"
 
 namespace ink::linear_code {

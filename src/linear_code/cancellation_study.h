@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "harness/evaluations.h"
-#include "harness/miss_prediction.h"
-#include "harness/tables/side_table.h"
-#include "harness/tracing.h"
+#include "harness/rows/side_table.h"
+#include "harness/scores/evaluations.h"
+#include "harness/scores/miss_prediction.h"
+#include "harness/truths/tracing.h"
 #include "linear_code/cancellation.h"
 
 namespace ink::linear_code {

@@ -6,7 +6,7 @@
 
 #include "core/parallel.h"
 #include "edge/laplacian.h"
-#include "harness/truth_code.h"
+#include "harness/truths/truth_code.h"
 
 namespace ink::linear_code {
 namespace {

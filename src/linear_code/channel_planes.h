@@ -33,7 +33,7 @@ struct ChannelPlanes {
 };
 
 /// Makes the planes of a scene's views, never from a method's image: which triangle a pixel
-/// centre sees is the truth's, depth and normals are the scene's (harness/truth_code.h).
+/// centre sees is the truth's, depth and normals are the scene's (harness/truths/truth_code.h).
 class ChannelSource {
   public:
     /// Of `code` only encoding and inputs are read; weights, offset and bits do not matter. Borrows

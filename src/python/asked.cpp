@@ -13,8 +13,8 @@
 #include "core/named.h"
 #include "core/param.h"
 #include "core/parse_number.h"
+#include "core/split_list.h"
 #include "experiment/options/option_table.h"
-#include "methods/method_configs.h"
 
 namespace ink::python {
 
@@ -105,7 +105,7 @@ std::vector<core::GivenText> given_texts(std::size_t row, const py::handle& valu
     std::vector<core::GivenText> given;
     for (const std::string& text : texts_of(value)) {
         const bool is_list = param.kind == core::ParamKind::list && !is_path;
-        for (std::string& part : is_list ? methods::split_list(text) : std::vector{text})
+        for (std::string& part : is_list ? core::split_list(text) : std::vector{text})
             given.push_back({std::move(part), where});
     }
     return given;

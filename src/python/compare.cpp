@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/tables/csv_table.h"
 #include "core/work_clock.h"
 #include "entrants/entrant.h"
 #include "experiment/experiment_plan.h"
-#include "harness/cell.h"
-#include "harness/tables/csv_table.h"
-#include "harness/tables/row_table.h"
+#include "harness/cells/cell.h"
+#include "harness/rows/row_table.h"
 #include "methods/method_configs.h"
 #include "python/arrays.h"
 #include "python/buffers.h"
@@ -72,21 +72,21 @@ method::MethodConfig function_config(const std::string& name,
 }
 
 /// A field as its column has it: text, number, True or False, None.
-py::object value_of(const harness::Column& column, const harness::CsvField& field) {
+py::object value_of(const core::Column& column, const core::CsvField& field) {
     if (field.is_empty()) return py::none();
     if (column.is_text) return py::str(field.text());
     return py::module_::import("json").attr("loads")(field.text());
 }
 
 py::list row_dicts(const std::string& lines) {
-    const harness::TableInfo& table = harness::rows_table();
-    const harness::CsvTable rows = harness::split_csv(harness::heading(table) + lines, table.file);
+    const core::TableInfo& table = harness::rows_table();
+    const core::CsvTable rows = core::split_csv(core::heading(table) + lines, table.file);
     py::list dicts;
     for (std::size_t i = 0; i < rows.records.size(); ++i) {
         py::dict dict;
         for (std::size_t c = 0; c < table.columns.size(); ++c)
             dict[py::str(table.columns[c].name)] =
-                value_of(table.columns[c], harness::CsvField(rows, i, c));
+                value_of(table.columns[c], core::CsvField(rows, i, c));
         dicts.append(std::move(dict));
     }
     return dicts;

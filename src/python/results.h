@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "harness/tracing.h"
+#include "harness/truths/tracing.h"
 #include "score/score.h"
 
 namespace ink::python {

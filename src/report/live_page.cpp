@@ -15,7 +15,7 @@
 #include "core/escape.h"
 #include "core/provenance.h"
 #include "core/whole_file.h"
-#include "harness/view_images.h"
+#include "harness/images/view_images.h"
 #include "report/packed_run.h"
 #include "report/page_files.h"
 #include "report/page_template.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "experiment/run_data.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 
 namespace ink::report {
 

@@ -15,9 +15,9 @@
 #include "core/image.h"
 #include "core/parallel.h"
 #include "core/parse_number.h"
+#include "core/tables/csv_table.h"
 #include "draw/error_image.h"
-#include "harness/tables/csv_table.h"
-#include "harness/view_images.h"
+#include "harness/images/view_images.h"
 #include "image_io/image_file.h"
 
 namespace ink::report {
@@ -207,13 +207,13 @@ std::string packed_column(const std::vector<std::string>& fields) {
 }
 
 std::string packed_table(std::string_view csv, const std::string& where) {
-    const harness::CsvTable table = harness::split_csv(csv, where);
+    const core::CsvTable table = core::split_csv(csv, where);
     std::vector<std::string> columns;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::vector<std::string> fields;
         fields.reserve(table.records.size());
         for (const std::vector<std::string>& record : table.records)
-            fields.push_back(harness::unquoted(record[i]));
+            fields.push_back(core::unquoted(record[i]));
         columns.push_back(json_text(table.columns[i]) + ":" + packed_column(fields));
     }
     return fmt::format(

@@ -168,10 +168,10 @@ std::string column_docs(const std::vector<experiment::RunData>& runs) {
         for (const auto& [name, text] : run.texts)
             files.insert(name);
     std::vector<std::string> tables;
-    for (const harness::TableInfo& table : experiment::dictionary()) {
+    for (const core::TableInfo& table : experiment::dictionary()) {
         if (!files.contains(table.file)) continue;
         std::vector<std::string> columns;
-        for (const harness::Column& column : table.columns)
+        for (const core::Column& column : table.columns)
             columns.push_back(fmt::format(R"({}:{{"unit":{},"doc":{}}})",
                                           json_text(column.name),
                                           json_text(column.unit),

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/param.h"
-#include "harness/suite.h"
-#include "harness/tables/study.h"
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
+#include "harness/rows/study.h"
+#include "harness/suite/suite.h"
 #include "method/method_config.h"
 #include "scene/scene.h"
 

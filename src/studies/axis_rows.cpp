@@ -9,7 +9,7 @@
 
 #include "core/parallel.h"
 #include "core/simd.h"
-#include "harness/evaluations.h"
+#include "harness/scores/evaluations.h"
 #include "studies/stress/stress_counts.h"
 
 namespace ink::studies {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
 #include "studies/axis.h"
 
 namespace ink::studies {

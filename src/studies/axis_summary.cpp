@@ -92,10 +92,10 @@ std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows) {
     return points;
 }
 
-const harness::TableOf<AxisPoint>& axis_summary_table() {
+const core::TableOf<AxisPoint>& axis_summary_table() {
     static const auto kTable = [] {
         using P = AxisPoint;
-        harness::TableOf<P> table(
+        core::TableOf<P> table(
             "axis_summary.csv",
             "A line per axis, value and method, over its cases: a point of a curve.");
         table.add_derived({"axis", "", "what grows"}, &P::axis);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/table_of.h"
+#include "core/tables/table_of.h"
 #include "statistics/spread.h"
 #include "studies/axis_rows.h"
 
@@ -32,7 +32,7 @@ struct AxisPoint {
 [[nodiscard]] std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows);
 
 /// axis_summary.csv.
-[[nodiscard]] const harness::TableOf<AxisPoint>& axis_summary_table();
+[[nodiscard]] const core::TableOf<AxisPoint>& axis_summary_table();
 
 /// The points of one method on one axis, by value.
 struct AxisCurve {

@@ -25,15 +25,15 @@ const harness::SideTable<AxisRow>& faults_table() {
     return kTable;
 }
 
-std::vector<AxisRow> read_faults(const harness::CsvTable& csv, const harness::RowIndex& rows) {
+std::vector<AxisRow> read_faults(const core::CsvTable& csv, const harness::RowIndex& rows) {
     return faults_table().read_with_rows(
         csv, rows, [](AxisRow& of, const harness::Row& row) { of.row = row; });
 }
 
-const harness::TableOf<Axis>& axes_table() {
+const core::TableOf<Axis>& axes_table() {
     static const auto kTable = [] {
-        harness::TableOf<Axis> table("axes.csv",
-                                     "A line per axis of the run's studies: what it varies.");
+        core::TableOf<Axis> table("axes.csv",
+                                  "A line per axis of the run's studies: what it varies.");
         table.add_derived({"axis", "", "as in rows.csv"}, &Axis::name);
         table.add_derived({"study", "", "that it belongs to"}, &Axis::study);
         table.add_derived({"title", "", "what its values are"}, &Axis::title);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "harness/tables/side_table.h"
+#include "harness/rows/side_table.h"
 #include "studies/axis_rows.h"
 
 namespace ink::studies {
@@ -12,10 +12,10 @@ namespace ink::studies {
 
 /// The lines of stress.csv with the rows of their cells. Throws core::Error (file, line, column,
 /// value) for another heading, a wrong field or an unknown cell.
-[[nodiscard]] std::vector<AxisRow> read_faults(const harness::CsvTable& csv,
+[[nodiscard]] std::vector<AxisRow> read_faults(const core::CsvTable& csv,
                                                const harness::RowIndex& rows);
 
 /// axes.csv: what each axis of a run varies, for who reads its values.
-[[nodiscard]] const harness::TableOf<Axis>& axes_table();
+[[nodiscard]] const core::TableOf<Axis>& axes_table();
 
 }  // namespace ink::studies

@@ -9,8 +9,8 @@
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
-#include "harness/timing.h"
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
+#include "harness/clock/timing.h"
 #include "scene/animation.h"
 #include "score/drawing.h"
 

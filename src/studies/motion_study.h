@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
 #include "method/method_config.h"
 #include "scene/scene.h"
 #include "scene/views/camera_path.h"

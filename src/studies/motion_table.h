@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/row.h"
-#include "harness/tables/side_table.h"
+#include "harness/rows/row.h"
+#include "harness/rows/side_table.h"
 #include "score/motion.h"
 
 namespace ink::studies {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/suite.h"
-#include "harness/tables/table.h"
+#include "core/tables/table.h"
+#include "harness/suite/suite.h"
 #include "method/method_config.h"
 #include "raster/skips.h"
 #include "shade/shading.h"
@@ -85,7 +85,7 @@ struct DemoRate {
                                            const TimedemoOptions& options);
 
 /// The columns of timedemo.csv.
-[[nodiscard]] const harness::TableInfo& timedemo_frames_table();
+[[nodiscard]] const core::TableInfo& timedemo_frames_table();
 
 /// Writes timedemo.csv: a line per frame, pass, path and method.
 void write_timedemo(const harness::SceneViews& scene_views,

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/tables/table_of.h"
 #include "core/text_table.h"
 #include "core/whole_file.h"
-#include "harness/tables/table_of.h"
 #include "scene/animation.h"
 #include "studies/timedemo.h"
 
@@ -75,9 +75,9 @@ struct FrameLine {
     const DemoFrame& frame;
 };
 
-const harness::TableOf<FrameLine>& frames_table() {
+const core::TableOf<FrameLine>& frames_table() {
     static const auto kTable = [] {
-        harness::TableOf<FrameLine> table(
+        core::TableOf<FrameLine> table(
             "timedemo.csv",
             "A line per frame, pass, path and method of `inkbench timedemo`, which "
             "writes this file alone. Times are processor time of the one thread, or time on the "
@@ -211,7 +211,7 @@ std::string timedemo_heading(const harness::SceneViews& scene_views,
         options.threads == 1 ? "of processor time" : "on the wall");
 }
 
-const harness::TableInfo& timedemo_frames_table() {
+const core::TableInfo& timedemo_frames_table() {
     return frames_table().info();
 }
 

@@ -9,18 +9,18 @@
 namespace ink::summary {
 namespace {
 
-bool has_columns(const harness::CsvTable& table, const harness::TableInfo& info) {
-    return std::ranges::equal(table.columns, info.columns, {}, {}, &harness::Column::name);
+bool has_columns(const core::CsvTable& table, const core::TableInfo& info) {
+    return std::ranges::equal(table.columns, info.columns, {}, {}, &core::Column::name);
 }
 
 /// Of a table whose lines are of these summaries; those of baselines are empty, and all with fewer
 /// than six scenes.
-std::vector<double> read_shares(const harness::CsvTable& summary) {
+std::vector<double> read_shares(const core::CsvTable& summary) {
     std::vector<double> shares;
     bool has_any = false;
     for (std::size_t i = 0; i < summary.records.size(); ++i) {
         const auto share =
-            harness::CsvField(summary, i, summary.find("answer_share")).as<std::optional<double>>();
+            core::CsvField(summary, i, summary.find("answer_share")).as<std::optional<double>>();
         shares.push_back(share.value_or(0));
         has_any = has_any || share;
     }
@@ -39,8 +39,8 @@ Comparison compare_methods(const std::vector<harness::Row>& rows, const AnswerRu
 
 std::optional<Comparison> read_comparison(const std::vector<harness::Row>& rows,
                                           const AnswerRule& rule,
-                                          const harness::CsvTable& summary,
-                                          const harness::CsvTable& differences) {
+                                          const core::CsvTable& summary,
+                                          const core::CsvTable& differences) {
     Comparison read{rule, summarise(rows)};
     if (!has_columns(summary, summary_table()) || !has_columns(differences, differences_table()) ||
         summary.records.size() != read.summaries.size())

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "harness/row.h"
-#include "harness/tables/csv_table.h"
+#include "core/tables/csv_table.h"
+#include "harness/rows/row.h"
 #include "summary/answer.h"
 #include "summary/paired_differences.h"
 #include "summary/summary.h"
@@ -30,7 +30,7 @@ struct Comparison {
 /// and this rule; nothing if other columns say that another version wrote them.
 [[nodiscard]] std::optional<Comparison> read_comparison(const std::vector<harness::Row>& rows,
                                                         const AnswerRule& rule,
-                                                        const harness::CsvTable& summary,
-                                                        const harness::CsvTable& differences);
+                                                        const core::CsvTable& summary,
+                                                        const core::CsvTable& differences);
 
 }  // namespace ink::summary

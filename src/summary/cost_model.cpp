@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "harness/tables/csv.h"
-#include "harness/tables/table_of.h"
+#include "core/tables/csv.h"
+#include "core/tables/table_of.h"
 
 namespace ink::summary {
 namespace {
@@ -95,9 +95,9 @@ std::vector<CostSample> samples_without(const std::vector<Cell>& cells, const Fo
     return samples;
 }
 
-harness::TableOf<CostPrediction> make_predictions_table() {
+core::TableOf<CostPrediction> make_predictions_table() {
     using P = CostPrediction;
-    harness::TableOf<P> table(
+    core::TableOf<P> table(
         "predictions.csv",
         "A line per cell of a method, and per setting of sweep.csv, whose time the cost model "
         "predicts from what cost.csv (or sweep.csv) has of it.");
@@ -113,8 +113,8 @@ harness::TableOf<CostPrediction> make_predictions_table() {
     return table;
 }
 
-const harness::TableOf<CostPrediction>& predictions() {
-    static const harness::TableOf<CostPrediction> kTable = make_predictions_table();
+const core::TableOf<CostPrediction>& predictions() {
+    static const core::TableOf<CostPrediction> kTable = make_predictions_table();
     return kTable;
 }
 
@@ -212,8 +212,8 @@ CostFit predict_costs(const std::vector<harness::Row>& rows,
     return fit;
 }
 
-const harness::TableInfo& cost_fit_table() {
-    static const harness::TableInfo table{
+const core::TableInfo& cost_fit_table() {
+    static const core::TableInfo table{
         "cost_fit.csv",
         "A line per kind of work: the price that the cost model found for one of it, the same for "
         "all methods.",
@@ -226,20 +226,20 @@ const harness::TableInfo& cost_fit_table() {
 }
 
 std::string cost_fit_csv(const CostFit& fit) {
-    std::string text = harness::heading(cost_fit_table());
+    std::string text = core::heading(cost_fit_table());
     if (fit.cells == 0) return text;
     for (std::size_t i = 0; i < kCostUnits; ++i) {
         text += fmt::format("{},{},{},{},{}\n",
                             cost_units()[i].name,
                             fit.ns_per_unit[i],
-                            harness::csv_field(std::string(cost_units()[i].doc)),
+                            core::csv_field(std::string(cost_units()[i].doc)),
                             fit.cells,
                             fit.left_out);
     }
     return text;
 }
 
-const harness::TableInfo& predictions_table() {
+const core::TableInfo& predictions_table() {
     return predictions().info();
 }
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/frame_counts.h"
-#include "harness/row.h"
-#include "harness/tables/table.h"
+#include "core/tables/table.h"
+#include "harness/cells/frame_counts.h"
+#include "harness/rows/row.h"
 
 namespace ink::summary {
 
@@ -75,11 +75,11 @@ struct CostFit {
                                     const std::vector<harness::Row>& sweep);
 
 /// cost_fit.csv: a line per kind of work with its price; the heading alone for a fit of no cells.
-[[nodiscard]] const harness::TableInfo& cost_fit_table();
+[[nodiscard]] const core::TableInfo& cost_fit_table();
 [[nodiscard]] std::string cost_fit_csv(const CostFit& fit);
 
 /// predictions.csv: a line per cell and setting that a time is predicted of.
-[[nodiscard]] const harness::TableInfo& predictions_table();
+[[nodiscard]] const core::TableInfo& predictions_table();
 [[nodiscard]] std::string predictions_csv(const CostFit& fit);
 
 }  // namespace ink::summary

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "harness/tables/table_of.h"
+#include "core/tables/table_of.h"
 #include "statistics/simultaneous.h"
 #include "summary/summary.h"
 
@@ -126,10 +126,10 @@ std::vector<std::string> methods_best_first(std::vector<MethodSummary> summaries
     return names;
 }
 
-const harness::TableOf<PairedDifference>& columns() {
+const core::TableOf<PairedDifference>& columns() {
     static const auto kTable = [] {
         using D = PairedDifference;
-        harness::TableOf<D> table(
+        core::TableOf<D> table(
             "differences.csv",
             "A line per ordered pair of methods with a view in common, the best method first: by "
             "how much the pooled F of one exceeds that of the other.");
@@ -217,7 +217,7 @@ std::vector<PairedDifference> all_paired_differences(const std::vector<harness::
     return differences;
 }
 
-const harness::TableInfo& differences_table() {
+const core::TableInfo& differences_table() {
     return columns().info();
 }
 
@@ -225,7 +225,7 @@ std::string differences_csv(const std::vector<PairedDifference>& differences) {
     return columns().file(differences);
 }
 
-std::vector<PairedDifference> read_differences(const harness::CsvTable& table) {
+std::vector<PairedDifference> read_differences(const core::CsvTable& table) {
     return columns().read(table);
 }
 

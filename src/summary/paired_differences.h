@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/row.h"
-#include "harness/tables/csv_table.h"
-#include "harness/tables/table.h"
+#include "core/tables/csv_table.h"
+#include "core/tables/table.h"
+#include "harness/rows/row.h"
 #include "score/score.h"
 #include "statistics/spread.h"
 
@@ -67,9 +67,9 @@ struct PairedDifference {
     const std::vector<harness::Row>& rows, const std::vector<MethodSummary>& summaries);
 
 /// differences.csv: the same as a table of the run folder. No differences give the heading alone.
-[[nodiscard]] const harness::TableInfo& differences_table();
+[[nodiscard]] const core::TableInfo& differences_table();
 [[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
-[[nodiscard]] std::vector<PairedDifference> read_differences(const harness::CsvTable& table);
+[[nodiscard]] std::vector<PairedDifference> read_differences(const core::CsvTable& table);
 
 /// "+.012 [+.002, +.021]", the interval of the pair by itself; the difference alone
 /// where there is none. `has_zeros`: "+0.012 [+0.002, +0.021]".

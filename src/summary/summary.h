@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/row.h"
+#include "harness/rows/row.h"
 #include "score/score.h"
 #include "statistics/ods.h"
 #include "statistics/spread.h"

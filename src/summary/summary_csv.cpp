@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/tables/table_of.h"
 #include "core/vocabulary.h"
-#include "harness/tables/table_of.h"
-#include "harness/view_images.h"
+#include "harness/images/view_images.h"
 #include "statistics/bootstrap.h"
 #include "statistics/spread.h"
 #include "summary/summary.h"
@@ -42,7 +42,7 @@ struct Line {
     std::string answer;
     std::optional<double> answer_share = {};
 };
-using SummaryTable = harness::TableOf<Line>;
+using SummaryTable = core::TableOf<Line>;
 
 std::optional<double> low_of(const std::optional<statistics::Interval>& range) {
     return range ? std::optional(range->low) : std::nullopt;
@@ -178,9 +178,9 @@ struct KindLine {
     KindSummary kind;
 };
 
-const harness::TableOf<KindLine>& kind_columns() {
+const core::TableOf<KindLine>& kind_columns() {
     static const auto kTable = [] {
-        harness::TableOf<KindLine> table(
+        core::TableOf<KindLine> table(
             "kinds.csv", "A line per method and kind of scene, over all cells of study `compare`.");
         table.add_derived({"method", "", "as in rows.csv"}, &KindLine::method);
         const auto kind = table.part(&KindLine::kind);
@@ -196,9 +196,9 @@ const harness::TableOf<KindLine>& kind_columns() {
     return kTable;
 }
 
-const harness::TableOf<Unscored>& unscored_columns() {
+const core::TableOf<Unscored>& unscored_columns() {
     static const auto kTable = [] {
-        harness::TableOf<Unscored> table(
+        core::TableOf<Unscored> table(
             "unscored.csv", "A view without any score, or a method without one on a view.");
         table.add({"scene", "", "the scene"}, &Unscored::scene);
         table.add({"view", "", "the view"}, &Unscored::view);
@@ -213,7 +213,7 @@ const harness::TableOf<Unscored>& unscored_columns() {
 
 }  // namespace
 
-const harness::TableInfo& summary_table() {
+const core::TableInfo& summary_table() {
     return table().info();
 }
 
@@ -231,7 +231,7 @@ std::string summary_csv(const std::vector<harness::Row>& rows, const Comparison&
     return table().file(lines);
 }
 
-const harness::TableInfo& kinds_table() {
+const core::TableInfo& kinds_table() {
     return kind_columns().info();
 }
 
@@ -279,7 +279,7 @@ bool is_all_unscored(const std::vector<harness::Row>& rows) {
            });
 }
 
-const harness::TableInfo& unscored_table() {
+const core::TableInfo& unscored_table() {
     return unscored_columns().info();
 }
 

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "harness/row.h"
-#include "harness/tables/table.h"
+#include "core/tables/table.h"
+#include "harness/rows/row.h"
 #include "summary/comparison.h"
 
 namespace ink::summary {
 
 /// The columns of summary.csv: method, kind, on how much it was scored; F, precision, recall, time
 /// and bytes, with their intervals.
-[[nodiscard]] const harness::TableInfo& summary_table();
+[[nodiscard]] const core::TableInfo& summary_table();
 
 /// A table (RFC 4180, "\n" line ends) with a line per method of `rows`, in order of first
 /// appearance, the baselines last; what there is none of is empty. `comparison` is of these rows;
@@ -21,7 +21,7 @@ namespace ink::summary {
                                       const Comparison& comparison);
 
 /// kinds.csv: F of each method over scenes of each kind; "" where no row has a kind.
-[[nodiscard]] const harness::TableInfo& kinds_table();
+[[nodiscard]] const core::TableInfo& kinds_table();
 [[nodiscard]] std::string kinds_csv(const std::vector<MethodSummary>& summaries);
 
 /// Cells without a score for one and the same reason, on one view.
@@ -45,7 +45,7 @@ struct Unscored {
 [[nodiscard]] bool is_all_unscored(const std::vector<harness::Row>& rows);
 
 /// unscored.csv: the same as a table of the run folder.
-[[nodiscard]] const harness::TableInfo& unscored_table();
+[[nodiscard]] const core::TableInfo& unscored_table();
 [[nodiscard]] std::string unscored_csv(const std::vector<Unscored>& cells);
 
 /// For a terminal: a line per entry, its remedy below; "" if all have scores.

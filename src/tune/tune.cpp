@@ -9,9 +9,9 @@
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
+#include "core/split_list.h"
 #include "core/whole_file.h"
-#include "harness/cell.h"
-#include "methods/method_configs.h"
+#include "harness/cells/cell.h"
 #include "methods/presets.h"
 #include "statistics/ods.h"
 #include "tune/tune_folder.h"
@@ -144,7 +144,7 @@ TuneSpace checked_space(const TuneOptions& options) {
         }
         std::string others;
         for (const std::string& parameter :
-             methods::split_list(default_parameters(*options.config.info))) {
+             core::split_list(default_parameters(*options.config.info))) {
             if (!parameter.starts_with("threshold")) others += parameter + ",";
         }
         space = TuneSpace(*options.config.info, others);

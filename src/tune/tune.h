@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/suite.h"
-#include "harness/tracing.h"
+#include "harness/suite/suite.h"
+#include "harness/truths/tracing.h"
 #include "method/method_config.h"
 #include "score/score.h"
 #include "search/search.h"

@@ -12,8 +12,8 @@
 #include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/progress.h"
-#include "harness/cell.h"
-#include "harness/unscored_view.h"
+#include "harness/cells/cell.h"
+#include "harness/truths/unscored_view.h"
 #include "score/matching.h"
 #include "statistics/spread.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
-#include "harness/suite.h"
-#include "harness/tracing.h"
+#include "harness/suite/suite.h"
+#include "harness/truths/tracing.h"
 #include "linear_code/channel_planes.h"
 #include "method/method_config.h"
 #include "score/drawing.h"

@@ -10,11 +10,11 @@
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"
 #include "experiment/experiment_run.h"
-#include "harness/cell.h"
-#include "harness/evaluations.h"
-#include "harness/out_folder.h"
-#include "harness/tables/methods_table.h"
-#include "harness/tables/row_table.h"
+#include "harness/cells/cell.h"
+#include "harness/images/out_folder.h"
+#include "harness/rows/methods_table.h"
+#include "harness/rows/row_table.h"
+#include "harness/scores/evaluations.h"
 #include "tune/tune_report.h"
 
 namespace ink::tune {
@@ -88,7 +88,7 @@ std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& op
 }
 
 std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
-    std::string text = harness::heading(harness::rows_table());
+    std::string text = core::heading(harness::rows_table());
     std::vector<const TunedSettings*> all = {&result.defaults, &result.tuned};
     if (result.random) all.push_back(&*result.random);
     std::int64_t cell = 0;
@@ -103,7 +103,7 @@ std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
 
 }  // namespace
 
-harness::TableInfo evaluations_table(const TuneSpace& space) {
+core::TableInfo evaluations_table(const TuneSpace& space) {
     std::vector<std::string> names;
     for (const TunedParameter& parameter : space.parameters())
         names.push_back(parameter.param.name);

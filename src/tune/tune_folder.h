@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "harness/tables/table.h"
+#include "core/tables/table.h"
 #include "tune/tune.h"
 
 namespace ink::tune {
 
 /// evaluations.csv: a line per evaluation of a search.
-[[nodiscard]] harness::TableInfo evaluations_table(const TuneSpace& space);
+[[nodiscard]] core::TableInfo evaluations_table(const TuneSpace& space);
 
 /// Takes `options.out` for a search: refuses it with core::Error (where = the folder) if it holds
 /// another run, unless `options.is_forced`, which throws that away; then writes run.toml, which

@@ -100,7 +100,7 @@ std::string settings_lines(const TuneResult& result, const TuneOptions& options)
 }  // namespace
 
 std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
-    std::string text = harness::heading(evaluations_table(space));
+    std::string text = core::heading(evaluations_table(space));
     for (const auto* steps : {&result.steps, &result.random_steps}) {
         for (std::size_t i = 0; i < steps->size(); ++i) {
             const TuneStep& step = (*steps)[i];

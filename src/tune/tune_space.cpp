@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/parse_number.h"
-#include "methods/method_configs.h"
-#include "methods/toml_reader.h"
+#include "core/split_list.h"
+#include "core/toml_reader.h"
 
 namespace ink::tune {
 namespace {
@@ -116,13 +116,13 @@ TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& parame
         });
     };
     for (const std::string& text :
-         methods::split_list(parameters.empty() ? default_parameters(method) : parameters)) {
+         core::split_list(parameters.empty() ? default_parameters(method) : parameters)) {
         const auto equals = text.find('=');
         const std::string name = text.substr(0, equals);
         if (has(name)) {
             throw core::Error("--params", fmt::format("'{}' is named twice", name), "each once");
         }
-        const core::Param& param = methods::param_of(method.params, name, "--params");
+        const core::Param& param = core::param_of(method.params, name, "--params");
         TunedParameter parameter{param, param.min, param.max, ParameterScale::linear};
         if (equals != std::string::npos) narrow(text.substr(equals + 1), parameter);
         parameter.scale = scale_of(parameter, is_limited(name));

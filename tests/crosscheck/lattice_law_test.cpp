@@ -5,7 +5,7 @@
 #include <functional>
 #include <glm/gtc/quaternion.hpp>
 
-#include "harness/crosscheck/compare_truths.h"
+#include "harness/truths/compare_truths.h"
 #include "scene/predicates.h"
 #include "tests/crosscheck/lattice_shapes.h"
 #include "truth/model.h"

@@ -1,7 +1,7 @@
 #include "crosscheck/line_probe.h"
 
 #include "crosscheck/dense_sampling.h"
-#include "harness/crosscheck/compare_truths.h"
+#include "harness/truths/compare_truths.h"
 #include "tests/truth/shapes.h"
 #include "truth/model.h"
 

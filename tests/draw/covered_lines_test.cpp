@@ -8,7 +8,7 @@
 
 #include "draw/drawn_lines.h"
 #include "draw/sheet.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "tests/catalogue_names.h"
 
 namespace ink::draw {

@@ -6,7 +6,7 @@
 #include "catalogue/catalogue.h"
 #include "core/named.h"
 #include "draw/covered_lines.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "tests/truth/shapes.h"
 #include "truth/eye_view.h"
 #include "truth/screen_line.h"

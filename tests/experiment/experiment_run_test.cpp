@@ -12,10 +12,10 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/tables/csv_table.h"
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/folder_lock.h"
-#include "harness/tables/csv_table.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
 
@@ -353,13 +353,13 @@ TEST(ParseShard, TakesOneToN) {
 
 TEST(CsvTable, KeepsEveryByteOfFieldsItDoesNotChange) {
     const std::string text = "a,b\n\"x, \"\"y\"\"\n\",2\n,\n";
-    const harness::CsvTable table = harness::split_csv(text, "t");
+    const core::CsvTable table = core::split_csv(text, "t");
     ASSERT_EQ(table.records.size(), 2U);
-    EXPECT_EQ(harness::unquoted(table.records[0][0]), "x, \"y\"\n");
+    EXPECT_EQ(core::unquoted(table.records[0][0]), "x, \"y\"\n");
     EXPECT_EQ(table.records[0], (std::vector<std::string>{"\"x, \"\"y\"\"\n\"", "2"}));
     EXPECT_EQ(table.records[1], (std::vector<std::string>{"", ""}));
-    EXPECT_THROW((void)harness::split_csv("a,b\n1\n", "t"), core::Error);
-    EXPECT_TRUE(harness::split_csv("", "t").columns.empty());
+    EXPECT_THROW((void)core::split_csv("a,b\n1\n", "t"), core::Error);
+    EXPECT_TRUE(core::split_csv("", "t").columns.empty());
 }
 
 }  // namespace

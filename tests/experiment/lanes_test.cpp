@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "core/parallel.h"
+#include "core/tables/csv_table.h"
 #include "core/whole_file.h"
 #include "experiment/experiment_run.h"
-#include "harness/tables/csv_table.h"
-#include "harness/tables/row_table.h"
+#include "harness/rows/row_table.h"
 #include "tests/core/temp_folder.h"
 
 namespace ink::experiment {
@@ -71,8 +71,7 @@ TEST_F(Lanes, HaveTheSameRowsButForTimes) {
     const auto rows = [&](int lanes) {
         const auto text = core::read_whole_file(run(experiment, lanes) / "rows.csv");
         std::vector<std::string> lines;
-        for (harness::RowRecord& record :
-             harness::read_rows(harness::split_csv(*text, "rows.csv"))) {
+        for (harness::RowRecord& record : harness::read_rows(core::split_csv(*text, "rows.csv"))) {
             if (!harness::is_baseline(record.row.method)) {
                 EXPECT_GT(record.row.draw_n, 0);
                 EXPECT_TRUE(record.row.draw_ns.has_value());

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "catalogue/catalogue.h"
-#include "harness/line_scores.h"
-#include "harness/tables/cost_tables.h"
-#include "harness/tables/score_tables.h"
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
+#include "harness/rows/cost_tables.h"
+#include "harness/rows/score_tables.h"
+#include "harness/scores/line_scores.h"
 #include "methods/method_configs.h"
 #include "tests/harness/random_rows.h"
 

@@ -1,7 +1,7 @@
 // Any text in the place of times.csv is read, or an Error.
 
+#include "core/tables/csv_table.h"
 #include "entrants/image_folder.h"
-#include "harness/tables/csv_table.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scratch_file.h"
 
@@ -9,7 +9,7 @@ namespace ink::fuzz {
 namespace {
 
 void check_table(const std::string& text) {
-    const auto table = unless_refused([&] { return harness::split_csv(text, "times.csv"); });
+    const auto table = unless_refused([&] { return core::split_csv(text, "times.csv"); });
     if (!table) return;
     expect(table->lines.size() == table->records.size(), "each record has a line");
     for (std::size_t i = 0; i < table->records.size(); ++i) {

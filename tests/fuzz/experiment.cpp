@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "methods/registry.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "catalogue/catalogue.h"
-#include "harness/cell.h"
-#include "harness/miss_prediction.h"
+#include "harness/cells/cell.h"
+#include "harness/scores/miss_prediction.h"
 #include "methods/registry.h"
 #include "tests/catalogue_names.h"
 

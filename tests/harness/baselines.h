@@ -1,6 +1,6 @@
 #pragma once
 
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
 #include "score/coverage.h"
 
 namespace ink::harness {

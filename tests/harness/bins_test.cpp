@@ -1,11 +1,11 @@
-#include "harness/bins.h"
+#include "harness/scores/bins.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 #include <numbers>
 
-#include "harness/row.h"
+#include "harness/rows/row.h"
 
 namespace ink::harness {
 namespace {

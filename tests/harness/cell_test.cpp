@@ -1,5 +1,5 @@
-#include "harness/cell.h"
-#include "harness/view_lists.h"
+#include "harness/cells/cell.h"
+#include "harness/truths/view_lists.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "harness/unscored_view.h"
+#include "harness/truths/unscored_view.h"
 
 #include <gmock/gmock.h>
 

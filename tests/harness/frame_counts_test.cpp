@@ -1,4 +1,4 @@
-#include "harness/frame_counts.h"
+#include "harness/cells/frame_counts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "harness/intersection_scores.h"
+#include "harness/scores/intersection_scores.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "harness/cell.h"
-#include "harness/evaluations.h"
+#include "harness/cells/cell.h"
+#include "harness/scores/evaluations.h"
 #include "tests/truth/shapes.h"
 
 namespace ink::harness {

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "core/split_list.h"
 #include "methods/method_configs.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
@@ -74,10 +75,10 @@ TEST(MethodConfigs, APresetCalledAsAShippedOneTakesItsPlace) {
 }
 
 TEST(SplitList, LeavesOutWhatIsEmpty) {
-    EXPECT_EQ(methods::split_list("a,,b,"), (std::vector<std::string>{"a", "b"}));
-    EXPECT_EQ(methods::split_list(" a b ,\tc, ,"), (std::vector<std::string>{"a b", "c"}));
-    EXPECT_TRUE(methods::split_list("").empty());
-    EXPECT_TRUE(methods::split_list("  ").empty());
+    EXPECT_EQ(core::split_list("a,,b,"), (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(core::split_list(" a b ,\tc, ,"), (std::vector<std::string>{"a b", "c"}));
+    EXPECT_TRUE(core::split_list("").empty());
+    EXPECT_TRUE(core::split_list("  ").empty());
 }
 
 }  // namespace

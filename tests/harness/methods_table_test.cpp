@@ -1,10 +1,10 @@
-#include "harness/tables/methods_table.h"
+#include "harness/rows/methods_table.h"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 
-#include "harness/cell.h"
+#include "harness/cells/cell.h"
 #include "methods/method_configs.h"
 
 namespace ink::harness {

@@ -1,5 +1,5 @@
-#include "harness/miss_prediction.h"
-#include "harness/view_lists.h"
+#include "harness/scores/miss_prediction.h"
+#include "harness/truths/view_lists.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/named.h"
-#include "harness/cell.h"
-#include "harness/suite.h"
-#include "harness/truth_code.h"
+#include "harness/cells/cell.h"
+#include "harness/suite/suite.h"
+#include "harness/truths/truth_code.h"
 #include "methods/registry.h"
 #include "tests/scene/small_meshes.h"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/tables/csv.h"
-#include "harness/tables/row_table.h"
+#include "core/tables/csv.h"
+#include "harness/rows/row_table.h"
 #include "tests/harness/baselines.h"
 
 namespace ink::harness {

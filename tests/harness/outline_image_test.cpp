@@ -1,4 +1,4 @@
-#include "harness/outline_image.h"
+#include "harness/images/outline_image.h"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/vocabulary.h"
-#include "harness/tables/row_table.h"
+#include "harness/rows/row_table.h"
 
 namespace ink::harness {
 
@@ -186,8 +186,8 @@ inline std::vector<RowRecord> random_rows(RandomValues& any, int count) {
 }
 
 /// A table as its file has it, split again.
-inline CsvTable file_of(const TableInfo& info, const std::string& lines) {
-    return split_csv(heading(info) + lines, info.file);
+inline core::CsvTable file_of(const core::TableInfo& info, const std::string& lines) {
+    return core::split_csv(core::heading(info) + lines, info.file);
 }
 
 /// Rows as rows.csv gives them back.

@@ -1,4 +1,4 @@
-#include "harness/tables/row_table.h"
+#include "harness/rows/row_table.h"
 
 #include <gmock/gmock.h>
 
@@ -20,17 +20,17 @@ std::string lines_of(const std::vector<RowRecord>& rows) {
 }
 
 std::string field(const Row& row, const std::string& column) {
-    const CsvTable table = file_of(rows_table(), row_line(1, Study::compare, row));
-    return unquoted(table.records.at(0).at(table.find(column)));
+    const core::CsvTable table = file_of(rows_table(), row_line(1, Study::compare, row));
+    return core::unquoted(table.records.at(0).at(table.find(column)));
 }
 
 std::string error_of(const std::string& text) {
-    return core::error_text([&] { return read_rows(split_csv(text, "rows.csv")); });
+    return core::error_text([&] { return read_rows(core::split_csv(text, "rows.csv")); });
 }
 
 TEST(RowTable, HoldsWhatScriptsRelyOnOnceEachAndSaysWhatItMeans) {
     std::set<std::string> names;
-    for (const Column& column : rows_table().info().columns) {
+    for (const core::Column& column : rows_table().info().columns) {
         EXPECT_TRUE(names.insert(column.name).second) << column.name << " is there twice";
         EXPECT_FALSE(column.doc.empty()) << column.name;
     }
@@ -118,9 +118,9 @@ TEST(RowTable, WithoutTimesDiffersInColumnsOfTimesAlone) {
     row.draw_wall_ns = row.draw_cpu_ns = row.yardstick_ns = 12;
     row.time_doubt = "spread";
     row.draw_n = 3;
-    const CsvTable timed = file_of(rows_table(), row_line(1, Study::compare, row));
+    const core::CsvTable timed = file_of(rows_table(), row_line(1, Study::compare, row));
     clear_times(row);
-    const CsvTable cleared = file_of(rows_table(), row_line(1, Study::compare, row));
+    const core::CsvTable cleared = file_of(rows_table(), row_line(1, Study::compare, row));
     for (std::size_t i = 0; i < timed.columns.size(); ++i) {
         const bool is_time = rows_table().info().columns[i].is_time;
         EXPECT_EQ(cleared.records[0][i], is_time ? "" : timed.records[0][i]) << timed.columns[i];
@@ -152,19 +152,19 @@ TEST(RowTable, NamesLineColumnAndFieldOfWhatItCannotRead) {
     const std::string first = row_line(1, Study::compare, row);
     row.f_2px = 0.125;
     std::string second = row_line(2, Study::compare, row);
-    EXPECT_EQ(error_of(heading(rows_table()) + first + second), "");
+    EXPECT_EQ(error_of(core::heading(rows_table()) + first + second), "");
     std::string wrong = second;
     wrong.replace(wrong.find("0.125"), 5, "0.12x");
-    EXPECT_EQ(error_of(heading(rows_table()) + first + wrong),
+    EXPECT_EQ(error_of(core::heading(rows_table()) + first + wrong),
               "rows.csv, line 4: column f_2px holds '0.12x' (accepted: a number)");
-    EXPECT_EQ(error_of(heading(rows_table()) + first + first),
+    EXPECT_EQ(error_of(core::heading(rows_table()) + first + first),
               "rows.csv, line 4: column cell holds '1' (accepted: every cell once)");
     wrong = second;
     wrong.replace(wrong.find("above_crease"), 5, "about");
     EXPECT_THAT(
-        error_of(heading(rows_table()) + wrong),
+        error_of(core::heading(rows_table()) + wrong),
         testing::HasSubstr("line 2: column intersections holds 'about_crease' (accepted: "));
-    EXPECT_EQ(error_of(heading(rows_table()) + second.substr(0, second.size() - 1)),
+    EXPECT_EQ(error_of(core::heading(rows_table()) + second.substr(0, second.size() - 1)),
               "rows.csv, line 2: the file ends within a record (accepted: a file whose every line "
               "is ended)");
     EXPECT_THAT(error_of("cell,study,way\n"),

@@ -1,9 +1,9 @@
-#include "harness/tables/score_tables.h"
+#include "harness/rows/score_tables.h"
 
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "harness/cell.h"
+#include "harness/cells/cell.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "harness/cell.h"
-#include "harness/skip_switches.h"
-#include "harness/tables/row_table.h"
+#include "harness/cells/cell.h"
+#include "harness/cells/skip_switches.h"
+#include "harness/rows/row_table.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/skipping_method.h"
 #include "tests/scene/small_meshes.h"
@@ -20,8 +20,8 @@ using raster::SkipSet;
 using testing::HasSubstr;
 
 std::string field(const Row& row, const std::string& column) {
-    const CsvTable table =
-        split_csv(heading(rows_table()) + row_line(1, Study::compare, row), "rows.csv");
+    const core::CsvTable table =
+        core::split_csv(core::heading(rows_table()) + row_line(1, Study::compare, row), "rows.csv");
     return table.records.at(0).at(table.find(column));
 }
 
@@ -103,7 +103,7 @@ TEST(RowTable, HasTwoColumnsForEverySkipWithTheirUnit) {
     for (const raster::SkipInfo& info : raster::skip_infos()) {
         const std::string name = "skip_" + std::string(info.name);
         const auto has = [&](const std::string& column) {
-            return std::count_if(columns.begin(), columns.end(), [&](const Column& c) {
+            return std::count_if(columns.begin(), columns.end(), [&](const core::Column& c) {
                 return c.name == column && c.unit == info.unit;
             });
         };

@@ -1,4 +1,4 @@
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 
 #include <gmock/gmock.h>
 

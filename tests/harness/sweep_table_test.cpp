@@ -1,9 +1,9 @@
-#include "harness/tables/sweep_table.h"
+#include "harness/rows/sweep_table.h"
 
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "harness/tables/cost_tables.h"
+#include "harness/rows/cost_tables.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 
@@ -59,7 +59,7 @@ TEST(SweepTable, ReadsAndWritesTheSameBytes) {
         const Row second = random_setting(any, rows[1].row, "b=z;d=0.5");
         const std::string lines =
             sweep_line(4, 1, swept, first) + sweep_line(9, trial + 1, swept, second);
-        const CsvTable csv = file_of(sweep_table(swept), lines);
+        const core::CsvTable csv = file_of(sweep_table(swept), lines);
         EXPECT_EQ(swept_parameters(csv), swept);
         const std::vector<Row> read = read_sweep(csv, RowIndex(rows));
         ASSERT_EQ(read.size(), 2U);
@@ -76,12 +76,12 @@ TEST(SweepTable, ReadsAndWritesTheSameBytes) {
 
 TEST(SweepTable, RefusesUnknownCellsAndParametersCalledAsColumns) {
     const std::vector<RowRecord> rows = {{4, Study::compare, {}}};
-    const CsvTable csv = file_of(sweep_table({"a"}), sweep_line(5, 1, {"a"}, Row()));
+    const core::CsvTable csv = file_of(sweep_table({"a"}), sweep_line(5, 1, {"a"}, Row()));
     EXPECT_EQ(
         core::error_text([&] { return read_sweep(csv, RowIndex(rows)); }),
         "sweep.csv, line 2: column cell holds '5' (accepted: the number of a cell of rows.csv)");
     EXPECT_THROW((void)sweep_table({"n_pred"}), core::Error);
-    CsvTable short_one = csv;
+    core::CsvTable short_one = csv;
     short_one.columns.pop_back();
     EXPECT_THROW((void)read_sweep(short_one, RowIndex(rows)), core::Error);
 }

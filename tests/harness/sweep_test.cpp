@@ -1,4 +1,4 @@
-#include "harness/sweep.h"
+#include "harness/cells/sweep.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
-#include "harness/timing.h"
+#include "harness/clock/timing.h"
 
 #include <gmock/gmock.h>
 
-#include "harness/cell.h"
-#include "harness/yardstick.h"
+#include "harness/cells/cell.h"
+#include "harness/clock/yardstick.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::harness {

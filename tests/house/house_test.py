@@ -25,12 +25,12 @@ LIBRARIES = {
     "meshoptimizer": ("meshoptimizer", ("tests/import/",), 2),
     "pugixml": ("pugixml", ("src/import/",), 0),
     "minizip": ("minizip/", ("tests/import/", "tests/fuzz/"), 1),
-    "OpenCV": ("opencv2/", ("src/score/", "src/draw/", "methods/", "tests/", "bench/"), 0),
+    "OpenCV": ("opencv2/", ("src/score/", "src/inspect/", "methods/", "tests/", "bench/"), 0),
     "CLI11": ("CLI/", ("src/cli/",), 0),
     "pybind11": ("pybind11/", ("src/python/",), 0),
     "xxHash": ("xxhash.h", (), 1),
     "NLopt": ("nlopt", ("src/search/",), 0),
-    "toml++": ("toml++/", ("src/experiment/", "src/tune/", "methods/", "tests/"), 0),
+    "toml++": ("toml++/", ("src/experiment/", "src/tune/", "tests/"), 1),
 }
 
 # Flags that would change images, and words that a newcomer reads twice, with what to write instead.

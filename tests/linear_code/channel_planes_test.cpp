@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "catalogue/catalogue.h"
-#include "harness/cell.h"
+#include "harness/cells/cell.h"
 #include "methods/registry.h"
 
 namespace ink::linear_code {

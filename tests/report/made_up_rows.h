@@ -9,7 +9,7 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
-#include "harness/row.h"
+#include "harness/rows/row.h"
 #include "truth/line_class.h"
 
 namespace ink::report {

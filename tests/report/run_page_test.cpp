@@ -11,7 +11,7 @@
 #include "core/image.h"
 #include "experiment/run_data.h"
 #include "experiment/run_record.h"
-#include "harness/view_images.h"
+#include "harness/images/view_images.h"
 #include "image_io/image_file.h"
 #include "methods/registry.h"
 #include "report/live_page.h"

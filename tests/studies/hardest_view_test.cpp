@@ -164,7 +164,7 @@ TEST(HardestView, OfASceneThatMovesIsAtAMoment) {
 TEST(HardestTable, ReadsWhatItWrote) {
     const std::vector<HardestLook> looks = found("gear", options_of("mote4", 10));
     const std::string text = hardest_table().file(looks);
-    const auto read = hardest_table().read(harness::split_csv(text, "hardest.csv"));
+    const auto read = hardest_table().read(core::split_csv(text, "hardest.csv"));
     EXPECT_EQ(hardest_table().file(read), text);
     EXPECT_NE(hardest_text(read).find(worst_of(looks).view_words()), std::string::npos);
     EXPECT_EQ(hardest_text({}), "");

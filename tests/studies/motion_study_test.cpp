@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "catalogue/catalogue.h"
-#include "harness/tables/row_table.h"
+#include "harness/rows/row_table.h"
 #include "studies/motion_table.h"
 
 namespace ink::studies {

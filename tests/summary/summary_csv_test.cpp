@@ -161,7 +161,7 @@ TEST(Comparison, IsReadBackFromItsTablesToTheLastDigit) {
             rows.push_back(scored_row(method, std::to_string(i), 20 + 7 * i + method[0] % 5 * i));
     }
     const Comparison made = compare_methods(rows, {.f_margin = 0.02});
-    const auto table = [](const std::string& text) { return harness::split_csv(text, "a table"); };
+    const auto table = [](const std::string& text) { return core::split_csv(text, "a table"); };
     const auto summary = table(summary_csv(rows, made));
     const auto read =
         read_comparison(rows, made.rule, summary, table(differences_csv(made.differences)));

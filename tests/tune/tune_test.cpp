@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "experiment/run_record.h"
-#include "harness/cell.h"
+#include "harness/cells/cell.h"
 #include "methods/presets.h"
 #include "tests/core/temp_folder.h"
 #include "tune/tune_bench.h"

@@ -12,15 +12,15 @@
 #include "cli/traced_view.h"
 #include "core/error.h"
 #include "core/scratch_folder.h"
+#include "core/split_list.h"
 #include "core/vocabulary.h"
 #include "draw/drawing.h"
 #include "draw/error_image.h"
 #include "draw/image_output.h"
 #include "experiment/experiment_run.h"
 #include "experiment/run_data.h"
-#include "harness/timing.h"
-#include "harness/view_images.h"
-#include "methods/method_configs.h"
+#include "harness/clock/timing.h"
+#include "harness/images/view_images.h"
 #include "report/text/answer_text.h"
 #include "summary/summary.h"
 #include "summary/summary_csv.h"
@@ -57,7 +57,7 @@ struct AdviseArgs : MeasureArgs {
 };
 
 std::string methods_for(const std::string& have) {
-    const std::vector<std::string> words = methods::split_list(have);
+    const std::vector<std::string> words = core::split_list(have);
     const auto has = [&](const char* word) { return std::ranges::count(words, word) > 0; };
     const bool is_known = std::ranges::all_of(words, [](const std::string& word) {
         return word == "mesh" || word == "depth" || word == "normals";

@@ -14,7 +14,7 @@
 #include "core/scratch_folder.h"
 #include "core/whole_file.h"
 #include "entrants/mesh_files.h"
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 
 namespace ink::cli {
 namespace {

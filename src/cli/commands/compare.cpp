@@ -7,7 +7,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
-#include "harness/cell.h"
+#include "harness/cells/cell.h"
 
 namespace ink::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"
 #include "draw/image_output.h"
-#include "harness/skip_switches.h"
+#include "harness/cells/skip_switches.h"
 #include "methods/method_configs.h"
 
 namespace ink::cli {

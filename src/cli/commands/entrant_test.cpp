@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "entrants/entrant.h"
 #include "experiment/experiment.h"
-#include "harness/cell.h"
-#include "harness/suite.h"
-#include "harness/tracing.h"
+#include "harness/cells/cell.h"
+#include "harness/suite/suite.h"
+#include "harness/truths/tracing.h"
 #include "score/doubts.h"
 
 namespace ink::cli {

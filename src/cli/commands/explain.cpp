@@ -11,7 +11,7 @@
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
-#include "draw/explain.h"
+#include "inspect/explain.h"
 #include "methods/method_configs.h"
 
 namespace ink::cli {
@@ -29,9 +29,9 @@ struct ExplainArgs {
     bool json = false;
 };
 
-Json json_of(const std::vector<draw::Fact>& facts) {
+Json json_of(const std::vector<inspect::Fact>& facts) {
     Json json = Json::object();
-    for (const draw::Fact& fact : facts) {
+    for (const inspect::Fact& fact : facts) {
         if (fact.is_flag) {
             json[fact.name] = fact.value != 0;
         } else if (fact.value == std::floor(fact.value) && fact.value < 1e15) {
@@ -43,20 +43,20 @@ Json json_of(const std::vector<draw::Fact>& facts) {
     return json;
 }
 
-Json json_of(const std::vector<draw::Optimisation>& optimisations) {
+Json json_of(const std::vector<inspect::Optimisation>& optimisations) {
     Json json = Json::object();
-    for (const draw::Optimisation& optimisation : optimisations)
+    for (const inspect::Optimisation& optimisation : optimisations)
         json[optimisation.what] = {{"may", optimisation.may}, {"why", optimisation.why}};
     return json;
 }
 
-Json json_of(const draw::Explanation& explanation) {
+Json json_of(const inspect::Explanation& explanation) {
     Json json = {{"scene", explanation.scene}, {"statistics", json_of(explanation.facts)}};
     json["views"] = Json::object();
-    for (const draw::ViewFacts& view : explanation.views)
+    for (const inspect::ViewFacts& view : explanation.views)
         json["views"][view.view] = json_of(view.facts);
     json["methods"] = Json::object();
-    for (const draw::MethodExplanation& method : explanation.methods) {
+    for (const inspect::MethodExplanation& method : explanation.methods) {
         const auto line_json = [](const method::PlanLine& line) -> Json {
             return {{"what", line.what}, {"why", line.why}};
         };
@@ -80,13 +80,14 @@ void run_explain(const ExplainArgs& args) {
     const harness::SceneViews scene_views = args.view.empty()
                                                 ? harness::load_scenes({scene}, request).front()
                                                 : harness::load_one_view(scene, args.view, request);
-    const draw::Explanation explanation = draw::explain(scene_views, configs, args.crease_deg);
+    const inspect::Explanation explanation =
+        inspect::explain(scene_views, configs, args.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);
         json["place"] = as_json(place_of(scene_views));
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n{}", as_text(place_of(scene_views)), draw::as_text(explanation));
+        fmt::print("{}\n{}", as_text(place_of(scene_views)), inspect::as_text(explanation));
     }
 }
 

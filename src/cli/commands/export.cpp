@@ -8,14 +8,14 @@
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
+#include "core/tables/csv.h"
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
 #include "entrants/view_files.h"
 #include "experiment/experiment_plan.h"
-#include "harness/out_folder.h"
-#include "harness/tables/csv.h"
-#include "harness/tracing.h"
-#include "harness/view_images.h"
+#include "harness/images/out_folder.h"
+#include "harness/images/view_images.h"
+#include "harness/truths/tracing.h"
 
 namespace ink::cli {
 namespace {
@@ -69,11 +69,11 @@ std::string export_scene(const ExportArgs& args,
         if (wants_truth(args, scene))
             export_truth({scene, {view}}, model, trace, of_view / "truth.exr");
         lines += fmt::format("{},{},{},{},{}\n",
-                             harness::csv_field(scene.name),
-                             harness::csv_field(view.camera.name),
+                             core::csv_field(scene.name),
+                             core::csv_field(view.camera.name),
                              view.width_px,
                              view.height_px,
-                             harness::csv_field(of_view.lexically_relative(args.out).string()));
+                             core::csv_field(of_view.lexically_relative(args.out).string()));
     }
     return lines;
 }

@@ -21,10 +21,10 @@
 #include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "core/program_folder.h"
+#include "core/split_list.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
-#include "harness/cell.h"
-#include "methods/method_configs.h"
+#include "harness/cells/cell.h"
 #include "summary/paired_differences.h"
 #include "summary/summary_csv.h"
 
@@ -229,7 +229,7 @@ void show_runs(const FiguresArgs& args,
 
 experiment::Experiment experiment_of(const FiguresArgs& args) {
     experiment::Experiment experiment = args.read();
-    if (experiment.scenes.empty()) experiment.scenes = methods::split_list(kUsualScenes);
+    if (experiment.scenes.empty()) experiment.scenes = core::split_list(kUsualScenes);
     if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     experiment.own_sweep_views = 0;
     return experiment;

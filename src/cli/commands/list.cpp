@@ -17,8 +17,8 @@
 #include "core/named.h"
 #include "core/param.h"
 #include "experiment/dictionary.h"
-#include "harness/tables/methods_table.h"
-#include "harness/tables/row_table.h"
+#include "harness/rows/methods_table.h"
+#include "harness/rows/row_table.h"
 #include "methods/method_configs.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
@@ -73,14 +73,14 @@ Json method_params_json() {
     });
 }
 
-Json columns_of(const harness::TableInfo& table) {
-    return list_of<Json>(table.columns, [](const harness::Column& c) -> Json {
+Json columns_of(const core::TableInfo& table) {
+    return list_of<Json>(table.columns, [](const core::Column& c) -> Json {
         return {{"name", c.name}, {"unit", c.unit}, {"doc", c.doc}, {"is_time", c.is_time}};
     });
 }
 
 Json tables_json() {
-    return list_of<Json>(experiment::dictionary(), [](const harness::TableInfo& table) -> Json {
+    return list_of<Json>(experiment::dictionary(), [](const core::TableInfo& table) -> Json {
         return {{"name", table.file}, {"doc", table.doc}, {"columns", columns_of(table)}};
     });
 }

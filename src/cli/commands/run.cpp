@@ -5,8 +5,8 @@
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
+#include "core/split_list.h"
 #include "experiment/options/option_table.h"
-#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -33,7 +33,7 @@ experiment::Experiment experiment_of(const RunArgs& args) {
         };
     if (!args.size.empty()) set("grid.sizes", "--size", {args.size});
     set("grid.scenes", "--scenes", scene_names(args.scenes));
-    set("grid.methods", "--methods", methods::split_list(method_list(args.methods)));
+    set("grid.methods", "--methods", core::split_list(method_list(args.methods)));
     if (!args.views.empty()) set("grid.views", "--views", {args.views});
     return experiment;
 }

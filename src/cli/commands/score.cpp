@@ -15,7 +15,7 @@
 #include "core/whole_file.h"
 #include "draw/image_output.h"
 #include "experiment/experiment_plan.h"
-#include "harness/out_folder.h"
+#include "harness/images/out_folder.h"
 #include "score/coverage.h"
 
 namespace ink::cli {
@@ -34,7 +34,7 @@ struct ScoreArguments {
     std::string view;
     ViewOptions views;
     CacheOptions cache;
-    draw::ScoreRequest request;
+    given_images::ScoreRequest request;
     std::string polarity = "auto";
     ExperimentOptions options;
     std::string picture;
@@ -68,16 +68,16 @@ void check_least_f(const ScoreArguments& a, std::optional<double> f) {
     throw CLI::RuntimeError(kFTooLow);
 }
 
-void print_doubts(const draw::FilesScore& scored) {
+void print_doubts(const given_images::FilesScore& scored) {
     for (const std::string& doubt : scored.doubts)
         fmt::print(stderr, "inkbench: {}\n", doubt);
 }
 
 /// Traces what the image shows, in its own size, and scores it; `truth_name` becomes what was
 /// traced.
-draw::FilesScore score_against_model(const ScoreArguments& a,
-                                     const CLI::App& command,
-                                     std::string& truth_name) {
+given_images::FilesScore score_against_model(const ScoreArguments& a,
+                                             const CLI::App& command,
+                                             std::string& truth_name) {
     score::check(a.request.options);
     harness::OutlineImage image = harness::read_outline_image(a.prediction, a.request.polarity);
     const std::string own_size =
@@ -96,10 +96,10 @@ draw::FilesScore score_against_model(const ScoreArguments& a,
     const TracedView traced(harness::load_one_view(a.model, a.view, request),
                             experiment::trace_of(a.options.read(), cache_folder(a.cache)));
     truth_name = fmt::format("{}, view {}", a.model, traced.view().camera.name);
-    draw::TruthLabels truth{traced.truth.counted_labels(),
-                            static_cast<int>(truth::LineClass::ignore),
-                            harness::kBand_px,
-                            true};
+    given_images::TruthLabels truth{traced.truth.counted_labels(),
+                                    static_cast<int>(truth::LineClass::ignore),
+                                    harness::kBand_px,
+                                    true};
     if (a.request.line_width_px) {
         truth.line_width_px = *a.request.line_width_px;
         truth.coverage = score::draw_coverage(traced.truth.traced.curves,
@@ -107,11 +107,11 @@ draw::FilesScore score_against_model(const ScoreArguments& a,
                                               traced.view().height_px,
                                               truth.line_width_px);
     }
-    return draw::score_outline(
+    return given_images::score_outline(
         {a.prediction.string(), std::move(image)}, {truth_name, std::move(truth)}, a.request);
 }
 
-void write_tables(const ScoreArguments& a, const std::vector<draw::FolderScore>& scores) {
+void write_tables(const ScoreArguments& a, const std::vector<given_images::FolderScore>& scores) {
     if (!a.csv.empty()) core::write_whole_file(a.csv, folder_csv(scores));
     if (!a.markdown.empty()) core::write_whole_file(a.markdown, folder_table(scores, true));
 }
@@ -119,16 +119,16 @@ void write_tables(const ScoreArguments& a, const std::vector<draw::FolderScore>&
 void score_pair(const ScoreArguments& a, const CLI::App& command) {
     if (!a.picture.empty()) check_output_path(a.picture, {".png"});
     std::string truth_name = a.truth.filename().string();
-    const draw::FilesScore scored = a.model.empty()
-                                        ? draw::score_files(a.prediction, a.truth, a.request)
-                                        : score_against_model(a, command, truth_name);
-    if (!a.picture.empty()) draw::write_drawing(draw::picture_of(scored), a.picture);
-    draw::FolderScore line{a.prediction.filename().string()};
+    const given_images::FilesScore scored =
+        a.model.empty() ? given_images::score_files(a.prediction, a.truth, a.request)
+                        : score_against_model(a, command, truth_name);
+    if (!a.picture.empty()) draw::write_drawing(given_images::picture_of(scored), a.picture);
+    given_images::FolderScore line{a.prediction.filename().string()};
     if (scored.score.n_truth > 0) {
         line.score = scored.score;
         line.soft = scored.soft;
     } else {
-        line.status = draw::kNoTruth;
+        line.status = given_images::kNoTruth;
     }
     write_tables(a, {line});
     fmt::print("{}",
@@ -139,16 +139,16 @@ void score_pair(const ScoreArguments& a, const CLI::App& command) {
 }
 
 void score_all(const ScoreArguments& a) {
-    const auto draw_picture = [&](const std::string& name, const draw::FilesScore& scored) {
+    const auto draw_picture = [&](const std::string& name, const given_images::FilesScore& scored) {
         print_doubts(scored);
         if (a.picture.empty()) return;
         const fs::path path = fs::path(a.picture) / (name + ".png");
         harness::make_out_folder(path.parent_path());
-        draw::write_drawing(draw::picture_of(scored), path);
+        draw::write_drawing(given_images::picture_of(scored), path);
     };
-    const auto scores = draw::score_folders(a.prediction, a.truth, a.request, draw_picture);
+    const auto scores = given_images::score_folders(a.prediction, a.truth, a.request, draw_picture);
     write_tables(a, scores);
-    const auto unmatched = draw::files_without_truth(a.prediction, a.truth);
+    const auto unmatched = given_images::files_without_truth(a.prediction, a.truth);
     fmt::print("{}", a.as_json ? folder_json(scores, unmatched) : folder_table(scores));
     std::fflush(stdout);
     if (!unmatched.empty()) {
@@ -157,8 +157,8 @@ void score_all(const ScoreArguments& a) {
                    a.truth.string(),
                    fmt::join(unmatched, ", "));
     }
-    const auto is_scored = [](const draw::FolderScore& each) { return each.is_scored(); };
-    check_least_f(a, draw::pooled_f(scores));
+    const auto is_scored = [](const given_images::FolderScore& each) { return each.is_scored(); };
+    check_least_f(a, given_images::pooled_f(scores));
     if (std::all_of(scores.begin(), scores.end(), is_scored)) return;
     fmt::print(stderr, "inkbench: some images have no score\n");
     throw CLI::RuntimeError(std::any_of(scores.begin(), scores.end(), is_scored) ? kImagesUnscored

@@ -12,7 +12,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
-#include "methods/method_configs.h"
+#include "core/split_list.h"
 #include "studies/hardest/hardest_view.h"
 
 namespace ink::cli {
@@ -56,7 +56,7 @@ experiment::Experiment asked(const MeasureArgs& args) {
     std::vector<std::string> searched = hardest.methods;
     if (!hardest.against.empty()) searched.push_back(hardest.against);
     for (const std::string& name : searched) {
-        const std::vector<std::string> drawn = methods::split_list(method_list(whole.methods));
+        const std::vector<std::string> drawn = core::split_list(method_list(whole.methods));
         if (std::find(drawn.begin(), drawn.end(), name) == drawn.end())
             whole.methods.push_back(name);
     }

@@ -13,14 +13,14 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
-#include "draw/crosscheck_report.h"
 #include "draw/exr_layers.h"
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "experiment/experiment_plan.h"
-#include "harness/out_folder.h"
-#include "harness/tracing.h"
-#include "harness/view_images.h"
+#include "harness/images/out_folder.h"
+#include "harness/images/view_images.h"
+#include "harness/truths/tracing.h"
+#include "inspect/crosscheck_report.h"
 
 namespace ink::cli {
 namespace {
@@ -108,11 +108,12 @@ bool check_truth(const TruthArgs& args, TracedView& traced) {
     truth::SceneModel& model = traced.model;
     const harness::Crosscheck check =
         harness::cached_crosscheck(model, view, truth, cache_folder(args.cache));
-    const draw::IdAgreement ids = draw::compare_ids(model.scene(), view, raster::DepthFormat::q32);
-    draw::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
+    const inspect::IdAgreement ids =
+        inspect::compare_ids(model.scene(), view, raster::DepthFormat::q32);
+    inspect::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
     fmt::print("{}{}disagreements: {}\n",
-               draw::crosscheck_summary(check, truth.curves),
-               draw::id_summary(ids),
+               inspect::crosscheck_summary(check, truth.curves),
+               inspect::id_summary(ids),
                *args.disagreement);
     const bool is_agreed = check.agreement.is_agreed();
     if (!is_agreed) {

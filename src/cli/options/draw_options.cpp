@@ -8,8 +8,8 @@
 #include "cli/name_list.h"
 #include "core/error.h"
 #include "core/parse_number.h"
+#include "core/split_list.h"
 #include "experiment/options/option_table.h"
-#include "methods/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -20,7 +20,7 @@ std::optional<glm::u8vec3> parse_color(const std::string& text, const char* opti
     const bool is_hex = text.size() == 7 && text[0] == '#';
     const std::vector<std::string> parts =
         is_hex ? std::vector{text.substr(1, 2), text.substr(3, 2), text.substr(5, 2)}
-               : methods::split_list(text);
+               : core::split_list(text);
     glm::u8vec3 color{0};
     bool is_color = parts.size() == 3;
     for (int c = 0; is_color && c < 3; ++c) {

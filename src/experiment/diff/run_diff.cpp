@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/provenance.h"
-#include "harness/row.h"
-#include "harness/tables/sweep_table.h"
+#include "harness/rows/row.h"
+#include "harness/rows/sweep_table.h"
 #include "statistics/bootstrap.h"
 #include "summary/paired_differences.h"
 #include "summary/summary.h"

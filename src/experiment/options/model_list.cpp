@@ -5,16 +5,16 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/toml_reader.h"
 #include "core/whole_file.h"
-#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
 
 constexpr const char* kNeeded = "file, kind";
 
-void add_models(methods::TomlReader& table, std::vector<harness::ListedModel>& models) {
-    for (methods::TomlReader& entry : table.tables("model")) {
+void add_models(core::TomlReader& table, std::vector<harness::ListedModel>& models) {
+    for (core::TomlReader& entry : table.tables("model")) {
         harness::ListedModel model{entry.needed_text("file", kNeeded),
                                    entry.needed_text("kind", kNeeded)};
         const std::string split = entry.text("split").value_or("real");
@@ -40,11 +40,11 @@ std::vector<harness::ListedModel> read_model_list(const std::filesystem::path& p
         throw core::Error(
             path.string(), "it cannot be read", "a list of models (see experiments/models.toml)");
     }
-    const toml::table root = methods::parse_toml(*text, path);
-    methods::TomlReader file(root, path, "");
+    const toml::table root = core::parse_toml(*text, path);
+    core::TomlReader file(root, path, "");
     std::vector<harness::ListedModel> models;
     add_models(file, models);
-    for (methods::TomlReader& package : file.tables("package"))
+    for (core::TomlReader& package : file.tables("package"))
         add_models(package, models);
     if (models.empty()) {
         throw core::Error(path.string(), "it lists no model", "[[model]] tables with file, kind");

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 
 namespace ink::experiment {
 

@@ -5,11 +5,11 @@
 #include <span>
 
 #include "experiment/stage_times.h"
-#include "harness/sweep.h"
-#include "harness/tables/cost_tables.h"
-#include "harness/tables/score_tables.h"
-#include "harness/tables/sweep_table.h"
-#include "harness/view_images.h"
+#include "harness/cells/sweep.h"
+#include "harness/images/view_images.h"
+#include "harness/rows/cost_tables.h"
+#include "harness/rows/score_tables.h"
+#include "harness/rows/sweep_table.h"
 #include "linear_code/cancellation_study.h"
 
 namespace ink::experiment {

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
-#include "harness/tables/row_table.h"
+#include "harness/rows/row_table.h"
 #include "studies/motion_study.h"
 #include "studies/motion_table.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/row.h"
+#include "harness/rows/row.h"
 #include "summary/comparison.h"
 
 namespace ink::report {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/text_table.h"
-#include "draw/crosscheck_report.h"
-#include "harness/timing.h"
+#include "harness/clock/timing.h"
+#include "inspect/crosscheck_report.h"
 
 namespace ink::report {
 namespace {
@@ -173,7 +173,7 @@ std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
     std::vector<std::string> lines = {error_scenes(summaries),
                                       sample_warning("sampled", rows, summaries),
                                       sample_warning("exact_corner", rows, summaries),
-                                      draw::crosscheck_sentence(rows),
+                                      inspect::crosscheck_sentence(rows),
                                       rounding_warning(rows)};
     std::erase(lines, "");
     return lines;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/row.h"
+#include "harness/rows/row.h"
 #include "report/text/answer_text.h"
 #include "summary/comparison.h"
 

@@ -10,7 +10,7 @@
 namespace ink::studies {
 namespace {
 
-using Table = harness::TableOf<HardestLook>;
+using Table = core::TableOf<HardestLook>;
 
 void add_scores(Table& table) {
     using C = score::CurveCount;

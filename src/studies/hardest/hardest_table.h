@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/table_of.h"
+#include "core/tables/table_of.h"
 #include "studies/hardest/hardest_view.h"
 
 namespace ink::studies {
 
 /// hardest.csv: a line per view that was looked at.
-[[nodiscard]] const harness::TableOf<HardestLook>& hardest_table();
+[[nodiscard]] const core::TableOf<HardestLook>& hardest_table();
 
 /// For a terminal: a line per scene and method with F over the scene's own views, pooled, and the
 /// least that was found; below it where the worst view of all is. "" for no looks.

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/suite.h"
-#include "harness/view_cells.h"
+#include "harness/cells/view_cells.h"
+#include "harness/suite/suite.h"
 #include "method/method_config.h"
 #include "score/score.h"
 #include "studies/hardest/view_space.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "harness/suite.h"
+#include "harness/suite/suite.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 

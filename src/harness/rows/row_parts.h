@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/rows/row_table.h"
+
+namespace ink::harness {
+
+/// The table of rows while it is put together.
+using RowTable = core::TableOf<RowRecord>;
+
+/// Adds cracks, place and width of lines, with the counts and sums that they are made from.
+void add_line_columns(RowTable& table);
+
+/// Adds soft F and the ink that it is made of.
+void add_ink_columns(RowTable& table);
+
+/// Adds a column per cause: what false_positives and false_negatives are made of.
+void add_cause_columns(RowTable& table);
+
+/// Adds what was left undone: two columns per skip, and which skips were not allowed.
+void add_skip_columns(RowTable& table);
+
+/// Adds what the row comes from: program, machine, libraries. read_provenance() reads them.
+void add_provenance_columns(RowTable& table);
+
+/// The provenance that record `i` names, null if it is that of this program on this machine.
+/// `known` keeps those that were read, so that rows of one source share it.
+[[nodiscard]] std::shared_ptr<const core::Provenance> read_provenance(
+    const core::CsvTable& table,
+    std::size_t i,
+    std::map<std::string, std::shared_ptr<const core::Provenance>>& known);
+
+}  // namespace ink::harness

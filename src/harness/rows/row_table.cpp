@@ -1,0 +1,286 @@
+#include "harness/rows/row_table.h"
+
+#include <fmt/format.h>
+
+#include "core/vocabulary.h"
+#include "harness/rows/row_parts.h"
+#include "score/intersections.h"
+
+namespace ink::harness {
+namespace {
+
+/// What a column of a recall group means: `doc`, which speaks of "this class".
+std::string group_doc(const core::Term& group, std::string doc) {
+    constexpr std::string_view kClass = "this class";
+    if (group.text.empty()) return doc;
+    return doc.replace(doc.find(kClass), kClass.size(), group.text);
+}
+
+/// A column per recall group, empty where the view has none of it; `with_parts` also for those that
+/// are a part of a class.
+template <class T>
+void add_by_class(RowTable& table,
+                  const std::string& prefix,
+                  const std::string& unit,
+                  const std::string& doc,
+                  std::map<std::string, T> Row::*field,
+                  bool with_parts = true) {
+    for (const core::Term& group : core::vocabulary().recall_groups) {
+        if (!with_parts && !group.text.empty()) continue;
+        const std::string key(group.name);
+        table.add(
+            {prefix + key, unit, group_doc(group, doc)},
+            [=](const RowRecord& r) {
+                const auto found = (r.row.*field).find(key);
+                return found == (r.row.*field).end() ? "" : core::csv_text(found->second);
+            },
+            [=](const core::CsvField& text, RowRecord& r) {
+                if (!text.is_empty()) text.read((r.row.*field)[key]);
+            });
+    }
+}
+
+/// F at 2 px with another choice of what counts, and its counts.
+void add_choice(RowTable& table,
+                const std::string& suffix,
+                const std::string& doc,
+                std::optional<score::CurveCount> Row::*field) {
+    using C = score::CurveCount;
+    const auto choice = table.part(&RowRecord::row).part(field);
+    choice.add_derived({"f_2px_" + suffix, "0..1", "F within 2 px " + doc}, &C::f);
+    choice.add({"k_2px_" + suffix, "px", "its matches"}, &C::k);
+    choice.add({"n_pred_" + suffix, "px", "its drawn pixels that count"}, &C::n_pred);
+    choice.add({"n_truth_" + suffix, "px", "its true pixels"}, &C::n_truth);
+}
+
+void add_place(RowTable& table) {
+    table.add({"cell", "", "number of the cell; side tables name it by this"}, &RowRecord::cell);
+    table.add({"study",
+               "",
+               "what it was measured for: compare, stress, motion, scaling, "
+               "tune"},
+              &RowRecord::study);
+    const auto row = table.part(&RowRecord::row);
+    row.add({"axis", "", "of a study: what grows, as in axes.csv; empty where nothing does"},
+            &Row::axis);
+    row.add({"value", "of axis", "where on the axis; of named values the number"}, &Row::value);
+    row.add({"method", "", "method, or baseline: none, sampled, exact_corner, oracle"},
+            &Row::method);
+    row.add({"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
+    row.add({"view", "", "name of the camera, the path or the place on an axis"}, &Row::view);
+    row.add({"projection",
+             "",
+             "perspective or parallel; parallel views have one depth encoding: inverse, linear and "
+             "log are the same"},
+            &Row::projection);
+    row.add({"split", "", "train, heldout or real"}, &Row::split);
+    row.add({"scene_kind", "", "of thing that the scene is; empty where no list says it"},
+            &Row::scene_kind);
+    row.add({"width", "px", "of the image"}, &Row::width);
+    row.add({"height", "px", "of the image"}, &Row::height);
+    row.add({"threads", "", "the method might use"}, &Row::threads);
+    row.add({"seed", "", "as given: of random images and of resampling scenes"}, &Row::seed);
+    row.add({"params", "", "every parameter, key=value;key=value"}, &Row::params);
+    row.add({"threshold", "", "edge response (1..255) from which a pixel counts as drawn"},
+            &Row::threshold);
+    row.add({"status", "", "ok, or why there are no metrics"}, &Row::status);
+}
+
+void add_scores(RowTable& table) {
+    const auto row = table.part(&RowRecord::row);
+    row.add({"f_2px", "0..1", "F of one-to-one matches within 2 px"}, &Row::f_2px);
+    row.add({"f_1px", "0..1", "the same within 1 px"}, &Row::f_1px);
+    row.add({"precision_2px", "0..1", "matched share of the drawn pixels"}, &Row::precision_2px);
+    row.add({"recall_2px", "0..1", "matched share of the true pixels"}, &Row::recall_2px);
+    add_by_class(table,
+                 "recall_",
+                 "0..1",
+                 "recall of this class, by a matching of its own",
+                 &Row::recall_by_class);
+    row.add({"mean_width_px", "px", "drawn pixels per thinned pixel"}, &Row::mean_width_px);
+    row.add({"ap", "0..1", "area under the precision envelope over 99 thresholds"}, &Row::ap);
+    row.add({"prepare_ns", "ns", "once per topology", true}, &Row::prepare_ns);
+    row.add({"draw_ns",
+             "ns",
+             "lower quartile of a frame's times, by `clock`: the one that ranks",
+             true},
+            &Row::draw_ns);
+    row.add({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
+            &Row::bytes_per_px);
+    row.add({"image_hash", "", "of the edge responses; of a sequence, of all its images"},
+            &Row::image_hash);
+}
+
+void add_counts(RowTable& table) {
+    const auto row = table.part(&RowRecord::row);
+    const auto scored = row.part_if(&Row::is_scored);
+    scored.add({"truth_px", "px", "true pixels that count"}, &Row::truth_px);
+    scored.add({"k_2px", "px", "matches within 2 px"}, &Row::k_2px);
+    scored.add({"n_pred", "px", "drawn pixels after thinning"}, &Row::n_pred);
+    scored.add({"n_truth", "px", "true pixels"}, &Row::n_truth);
+    scored.add({"unmatched_duplicates", "px", "drawn pixels left over beside a matched line"},
+               &Row::unmatched_duplicates);
+    scored.add({"false_positives", "px", "drawn pixels with no true one in reach"},
+               &Row::false_positives);
+    scored.add({"unmatched_truth", "px", "true pixels left over beside a drawn line"},
+               &Row::unmatched_truth);
+    scored.add({"false_negatives", "px", "true pixels with no drawn one in reach"},
+               &Row::false_negatives);
+    row.add({"k_1px", "px", "matches within 1 px"}, &Row::k_1px);
+    row.add({"n_pred_1px", "px", "drawn pixels after thinning, at 1 px"}, &Row::n_pred_1px);
+    const auto random = row.part(&Row::random_baseline);
+    using C = score::CurveCount;
+    random.add_derived(
+        {"f_random_2px", "0..1", "F of a random image of as many pixels, within 2 px"}, &C::f);
+    random.add({"k_random_2px", "px", "its matches"}, &C::k);
+    random.add({"n_pred_random", "px", "its drawn pixels that count"}, &C::n_pred);
+    add_choice(
+        table, "above_crease", "if flatter intersections are ignored", &Row::above_crease_2px);
+    add_choice(
+        table, "all_intersections", "if all intersections count", &Row::all_intersections_2px);
+    add_choice(table, "with_crowded", "if crowded pixels count too", &Row::with_crowded_2px);
+    add_by_class(table,
+                 "k_",
+                 "px",
+                 "matches of this class within 2 px, of its own matching",
+                 &Row::k_by_class);
+    add_by_class(table, "truth_px_", "px", "true pixels of this class", &Row::truth_px_by_class);
+}
+
+void add_times(RowTable& table) {
+    const auto row = table.part(&RowRecord::row);
+    row.add({"pose_ns", "ns", "once after prepare, or when something moved", true}, &Row::pose_ns);
+    row.add({"draw_ns_median", "ns", "median of a frame's times", true}, &Row::draw_ns_median);
+    row.add({"draw_ns_q75", "ns", "upper quartile", true}, &Row::draw_ns_q75);
+    row.add({"draw_ns_min", "ns", "least", true}, &Row::draw_ns_min);
+    row.part_if([](const Row& r) { return r.draw_n != 0; })
+        .add({"draw_n", "", "timed frames", true}, &Row::draw_n);
+    row.add({"draw_wall_ns", "ns", "lower quartile of time on the wall", true}, &Row::draw_wall_ns);
+    row.add({"draw_cpu_ns",
+             "ns",
+             "lower quartile of processor time: of the thread, of all threads, or of the program",
+             true},
+            &Row::draw_cpu_ns);
+    row.add({"yardstick_ns",
+             "ns",
+             "lower quartile of a fixed filter over as many pixels as 720p has, timed between the "
+             "drawings of the view: times of two runs compare as ratios to it",
+             true},
+            &Row::yardstick_ns);
+    row.add({"time_doubt",
+             "",
+             "why the times are uncertain: waited (on the wall half as long again as the thread "
+             "worked), spread (the median exceeds the least by half); empty if they are not",
+             true},
+            &Row::time_doubt);
+    row.add({"clock",
+             "",
+             "that times are by: thread (processor time of the one thread), wall (of several "
+             "threads), children (processor time of a program from outside and those it started), "
+             "own (what a method from outside says); empty where nothing was drawn"},
+            &Row::clock);
+}
+
+void add_truth(RowTable& table) {
+    const auto row = table.part(&RowRecord::row);
+    const auto scored = row.part_if(&Row::is_scored);
+    scored.add({"truth_merged_px", "px", "true pixels that thinning took away"},
+               &Row::truth_merged_px);
+    row.part_if([](const Row& r) { return r.is_scored() || r.crowded_share > 0; })
+        .add({"crowded_share", "0..1", "share of true pixels too dense to score"},
+             &Row::crowded_share);
+    scored.add({"rounding_px", "px", "that rounding of coordinates may move a vertex in view by"},
+               &Row::rounding_px);
+    row.add({"reference_disagreement",
+             "0..1",
+             "share of the lines that only truth or only cross-check has, 0.25 px, per class, "
+             "where a third construction sides against the truth"},
+            &Row::reference_disagreement);
+    const auto checked =
+        row.part_if([](const Row& r) { return r.reference_disagreement.has_value(); });
+    checked.add({"crosscheck_px", "px", "the length of line, both ways, of which that is a share"},
+                &Row::crosscheck_px);
+    checked.add({"crosscheck_abstained",
+                 "0..1",
+                 "share of that length on which the cross-check abstains: it differs from the "
+                 "truth, and the third construction sides with the truth"},
+                &Row::crosscheck_abstained);
+    add_by_class(table,
+                 "crosscheck_coincident_",
+                 "px",
+                 "of what it abstains on, lines of this class that lie on another line, which both "
+                 "have",
+                 &Row::coincident_px_by_class,
+                 false);
+    add_cause_columns(table);
+    row.part_if([](const Row& r) { return r.triangles != 0; })
+        .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);
+    row.add({"crease_deg", "deg", "crease angle of the truth; a method's own is in params"},
+            &Row::crease_deg);
+    row.add_named(
+        {"creases",
+         "",
+         "which edges of two faces are creases of the truth: those of the angle, or those that the "
+         "model's file marks"},
+        &Row::creases,
+        {scene::kCreaseSourceNames.begin(), scene::kCreaseSourceNames.end()});
+    row.add_named({"intersections",
+                   "",
+                   "which intersections count: all, or above_crease: those that bend at least by "
+                   "the crease angle, flatter ones being ignored"},
+                  &Row::intersections,
+                  {score::kIntersectionNames.begin(), score::kIntersectionNames.end()});
+    row.add({"weld_epsilon",
+             "0..1",
+             "the truth joins vertices this near, as a share of each part's diagonal"},
+            &Row::weld_epsilon);
+    row.add({"contour_sky_px", "px", "length of true contours before the sky"},
+            &Row::contour_sky_px);
+    row.add({"contour_other_px", "px", "the same before another object"}, &Row::contour_other_px);
+    row.add({"contour_self_px", "px", "the same before their own object"}, &Row::contour_self_px);
+}
+
+RowTable make_table() {
+    RowTable table("rows.csv",
+                   "A line per cell: one method with its settings on one view, or on one "
+                   "sequence or mesh of a study. It is complete in itself; the side tables add "
+                   "to it and name it by `cell`. Fields are empty where nothing was measured.");
+    add_place(table);
+    add_scores(table);
+    add_counts(table);
+    add_times(table);
+    add_truth(table);
+    add_line_columns(table);
+    add_ink_columns(table);
+    add_skip_columns(table);
+    add_provenance_columns(table);
+    return table;
+}
+
+}  // namespace
+
+const RowTable& rows_table() {
+    static const RowTable kTable = make_table();
+    return kTable;
+}
+
+std::string row_line(std::int64_t cell, const std::string& study, const Row& row) {
+    return rows_table().line({cell, study, row});
+}
+
+std::vector<RowRecord> read_rows(const core::CsvTable& csv) {
+    std::vector<RowRecord> records = rows_table().read(csv);
+    std::map<std::string, std::shared_ptr<const core::Provenance>> known;
+    std::map<std::int64_t, std::size_t> cells;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        Row& row = records[i].row;
+        if (row.random_baseline) row.random_baseline->n_truth = row.n_truth;
+        row.cell = records[i].cell;
+        row.provenance = read_provenance(csv, i, known);
+        if (!cells.emplace(records[i].cell, i).second)
+            core::CsvField(csv, i, csv.find("cell")).refuse("every cell once");
+    }
+    return records;
+}
+
+}  // namespace ink::harness

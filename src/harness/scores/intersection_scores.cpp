@@ -1,0 +1,110 @@
+#include "harness/scores/intersection_scores.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "harness/cells/cell.h"
+#include "harness/truths/unscored_view.h"
+#include "score/drawn_matcher.h"
+
+namespace ink::harness {
+namespace {
+
+// Recall groups of core/vocabulary.h.
+constexpr std::string_view kAboveCrease = "intersection_above_crease";
+constexpr std::string_view kBelowCrease = "intersection_below_crease";
+
+using score::Intersections;
+using score::PixelList;
+
+/// What counts of some strokes against one truth.
+struct Counted {
+    const score::TruthLists& lists;
+    PixelList drawn;
+    score::DrawnMatcher matcher;
+
+    Counted(const score::Strokes& strokes, const score::TruthLists& truth_lists)
+        : lists(truth_lists),
+          drawn(score::counted_pixels(strokes.thinned, lists)),
+          matcher(drawn, lists.disk, lists.countable.width_px()) {}
+
+    /// Recall of some of the true pixels; none leaves the row without the group.
+    void fill(std::string_view group, const PixelList& true_pixels, Row& row) {
+        const std::string name(group);
+        row.k_by_class.erase(name);
+        row.truth_px_by_class.erase(name);
+        row.recall_by_class.erase(name);
+        if (true_pixels.is_empty()) return;
+        const std::int64_t k = matcher.match(true_pixels);
+        const auto n = static_cast<std::int64_t>(true_pixels.size());
+        row.k_by_class[name] = k;
+        row.truth_px_by_class[name] = n;
+        row.recall_by_class[name] = static_cast<double>(k) / static_cast<double>(n);
+    }
+    /// The same of all intersections.
+    void fill_intersections(std::string_view group, Row& row) {
+        const auto found = std::find_if(
+            lists.classes.begin(), lists.classes.end(), [](const score::ClassPixels& c) {
+                return c.label == static_cast<std::uint8_t>(truth::LineClass::intersection);
+            });
+        fill(group, found == lists.classes.end() ? PixelList() : found->pixels, row);
+    }
+};
+
+/// Without flat intersections all are above the crease angle.
+void copy_intersections(Row& row) {
+    const std::string from(truth::name(truth::LineClass::intersection));
+    const std::string to(kAboveCrease);
+    if (row.recall_by_class.count(from) == 0) return;
+    row.recall_by_class[to] = row.recall_by_class.at(from);
+    row.k_by_class[to] = row.k_by_class.at(from);
+    row.truth_px_by_class[to] = row.truth_px_by_class.at(from);
+}
+
+}  // namespace
+
+score::Strokes strokes_against(const score::ScoringTruth& choice,
+                               const score::Strokes& strokes,
+                               std::string_view method) {
+    if (method != kOracle) return strokes;
+    return score::make_strokes(choice.labels, 1, score_options(1));
+}
+
+void fill_intersections(const score::Strokes& strokes,
+                        const score::Score& at_2px,
+                        const ViewTruth& truth,
+                        const ViewLists& lists,
+                        Row& row) {
+    const score::CurveCount chosen{at_2px.k, at_2px.n_pred, at_2px.n_truth};
+    row.above_crease_2px = chosen;
+    row.all_intersections_2px = chosen;
+    if (!lists.other) {
+        copy_intersections(row);
+        return;
+    }
+    const bool is_all = truth.intersections == Intersections::all;
+    const score::Strokes others = strokes_against(*truth.other, strokes, row.method);
+    Counted above(is_all ? others : strokes, is_all ? *lists.other : lists.scoring);
+    Counted all(is_all ? strokes : others, is_all ? lists.scoring : *lists.other);
+    const Counted& other = is_all ? above : all;
+    auto& other_2px = is_all ? row.above_crease_2px : row.all_intersections_2px;
+    other_2px.reset();  // no true pixel, no score
+    if (!other.lists.truth.is_empty()) other_2px = score::match_counts(other.drawn, other.lists);
+    above.fill_intersections(kAboveCrease, row);
+    all.fill_intersections(truth::name(truth::LineClass::intersection), row);
+    all.fill(kBelowCrease, truth.below_crease, row);
+}
+
+void fill_score_2px(const score::Strokes& strokes,
+                    const ViewTruth& truth,
+                    const ViewLists& lists,
+                    Row& row) {
+    const score::Score at_2px = score::score_lists(
+        strokes, score::counted_pixels(strokes.thinned, lists.scoring), lists.scoring);
+    fill_score_2px(at_2px, row);
+    fill_intersections(strokes, at_2px, truth, lists, row);
+    fill_crowded(strokes, at_2px, truth, lists, row);
+}
+
+}  // namespace ink::harness

@@ -1,0 +1,220 @@
+#include "inspect/explain.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "core/error.h"
+#include "harness/cells/cell.h"
+#include "inspect/optimisations.h"
+#include "scene/clusters.h"
+#include "scene/surface.h"
+
+namespace ink::inspect {
+namespace {
+
+Fact count(std::string name, std::size_t value, std::string unit, std::string doc) {
+    return {std::move(name), static_cast<double>(value), std::move(unit), std::move(doc)};
+}
+
+Fact flag(std::string name, bool value, std::string doc) {
+    return {std::move(name), value ? 1.0 : 0.0, "", std::move(doc), true};
+}
+
+void add_edges(std::vector<Fact>& facts,
+               const std::string& name,
+               const scene::EdgeTally& tally,
+               const std::string& doc) {
+    facts.push_back(count(name, tally.count, "edges", doc));
+    facts.push_back({name + "_length", tally.length_world, "world", "total length of these edges"});
+}
+
+void add_deviations(std::vector<Fact>& facts, const scene::SceneStatistics& statistics) {
+    const int bin_deg = 180 / scene::kDeviationBins;
+    for (int bin = 0; bin < scene::kDeviationBins; ++bin) {
+        const std::size_t edges = statistics.deviations[static_cast<std::size_t>(bin)];
+        if (edges == 0) continue;
+        facts.push_back(count(
+            fmt::format("deviations_{}_deg", bin * bin_deg),
+            edges,
+            "edges",
+            fmt::format("that bend by {} to {} degrees", bin * bin_deg, (bin + 1) * bin_deg)));
+    }
+}
+
+double whole_degrees(double rad) {
+    return std::round(glm::degrees(rad));
+}
+
+std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
+    std::vector<Fact> facts = {
+        count("triangles", l.triangles, "triangles", "degenerate and repeated ones left out"),
+        count("vertices", l.vertices, "places", "after welding vertices at the same place"),
+        count("objects", l.objects, "objects", "placed meshes"),
+        count("materials", l.materials, "materials", "used by a triangle"),
+        {"crease_angle", glm::degrees(l.crease_rad), "deg", "least dihedral deviation of a crease"},
+    };
+    add_edges(facts, "creases", l.creases, "with at least that deviation");
+    add_edges(facts, "smooth", l.smooth, "with less: a curved surface made of facets");
+    add_edges(facts, "flat", l.flat, "within a plane");
+    add_edges(facts, "seams", l.seams, "between two objects, flatter than a crease");
+    add_edges(facts, "boundary", l.boundary, "with one face");
+    add_edges(facts, "nonmanifold", l.nonmanifold, "with three faces or more");
+    add_edges(facts, "inside_out", l.inside_out, "smooth, but one face shows its back");
+    add_deviations(facts, l);
+    const std::vector<Fact> rest = {
+        {"crease_proposal",
+         whole_degrees(l.crease_proposal.angle_rad),
+         "deg",
+         "crease angle in the widest gap of deviations, for --crease"},
+        {"crease_gap_from", whole_degrees(l.crease_proposal.from_rad), "deg", "where it begins"},
+        {"crease_gap_to", whole_degrees(l.crease_proposal.to_rad), "deg", "and ends"},
+        {"largest_smooth",
+         glm::degrees(l.largest_smooth_rad),
+         "deg",
+         "largest dihedral deviation below a crease"},
+        {"least_crease",
+         glm::degrees(l.least_crease_rad),
+         "deg",
+         "least dihedral deviation found at a crease"},
+        count("components", l.components, "components", "parts that share no edge"),
+        count("watertight_components",
+              l.watertight_components,
+              "components",
+              "closed and turned outwards"),
+        count("convex_components",
+              l.convex_components,
+              "components",
+              "watertight, and cannot hide their own front"),
+        count("loose_triangles", l.loose_triangles, "triangles", "without a neighbour"),
+        {"thin_lines",
+         100 * l.thin_share,
+         "%",
+         "of their length, at components thinner than half a pixel of 720"},
+        count("cracked_corners",
+              l.cracked_corners,
+              "corners",
+              "of boundary edges, very near another corner"),
+        count("overlapping_components",
+              l.overlapping_components,
+              "pairs",
+              "that might cross each other"),
+        {"extent_ratio", l.extent_ratio, "times", "the largest object over the smallest"},
+        count(
+            "near_sheets", l.near_sheets.pairs, "pairs", "parallel faces of two components, close"),
+        {"near_sheets_gap", l.near_sheets.least_gap_share, "radii", "the least gap among them"},
+        flag("may_hide", l.may_hide(), "a part may hide another, or itself"),
+        flag("may_cross", l.may_cross(), "components may pierce each other"),
+        flag("watertight", l.is_watertight(), "every component is closed and turned outwards"),
+    };
+    facts.insert(facts.end(), rest.begin(), rest.end());
+    return facts;
+}
+
+std::vector<Fact> facts_of(const scene::ViewStatistics& v) {
+    return {
+        {"near", v.near, "world", "nearest visible point of the scene's bounding sphere"},
+        {"far", v.far, "world", "its farthest point"},
+        {"depth_ratio", v.depth_ratio(), "times", "far over near"},
+        flag("inside", v.is_inside, "the eye is inside the bounding sphere"),
+        {"frame_share", 100 * v.frame_share, "%", "of the image is covered by the bounding sphere"},
+        {"px_per_triangle", v.px_per_triangle, "px", "of that, per triangle"},
+    };
+}
+
+std::string value_of(const Fact& fact) {
+    if (fact.is_flag) return fact.value != 0 ? "yes" : "no";
+    return fmt::format("{:.7g}", fact.value);
+}
+
+std::string text_of(const std::vector<Fact>& facts) {
+    std::string text;
+    for (const Fact& fact : facts) {
+        // A length of no edges would be a line for nothing; JSON has it.
+        if (fact.name.ends_with("_length") && fact.value == 0) continue;
+        text += fmt::format(
+            "  {:<20} {:>12} {:<10} {}\n", fact.name, value_of(fact), fact.unit, fact.doc);
+    }
+    return text;
+}
+
+std::string text_of(const std::vector<Optimisation>& optimisations) {
+    std::string text;
+    for (const Optimisation& optimisation : optimisations) {
+        text += fmt::format("  {:<20} {:<4} {}\n",
+                            optimisation.what,
+                            optimisation.may ? "yes" : "no",
+                            optimisation.why);
+    }
+    return text;
+}
+
+void count_solids(const scene::Scene& scene, SceneFacts& facts) {
+    const std::vector<scene::Solid> solids = scene::make_clusters(scene::flatten(scene)).solids;
+    facts.solids = solids.size();
+    for (const scene::Solid& solid : solids)
+        facts.watertight_solids += solid.is_watertight || solid.is_watertight_covered;
+}
+
+MethodExplanation explain_method(const method::MethodConfig& config,
+                                 const harness::SceneViews& scene_views,
+                                 const SceneFacts& facts) {
+    harness::PreparedMethod prepared(config, scene_views.scene);
+    MethodExplanation explained;
+    explained.method = config.info->name;
+    if (!prepared.failure().empty()) {
+        throw core::Error(config.info->name, prepared.failure(), "a scene that it can prepare");
+    }
+    const auto code = prepared.method().code();
+    explained.channels = channel_optimisations(code, facts.statistics);
+    explained.skips = skip_optimisations(code, facts);
+    explained.plan = prepared.method().plan();
+    return explained;
+}
+
+}  // namespace
+
+Explanation explain(const harness::SceneViews& scene_views,
+                    const std::vector<method::MethodConfig>& configs,
+                    double crease_deg) {
+    SceneFacts facts;
+    facts.statistics = scene::make_scene_statistics(scene_views.scene, glm::radians(crease_deg));
+    count_solids(scene_views.scene, facts);
+    Explanation explanation;
+    explanation.scene = scene_views.scene.name;
+    explanation.facts = facts_of(facts.statistics);
+    for (const scene::View& view : scene_views.views) {
+        facts.views.push_back(scene::make_view_statistics(facts.statistics, view));
+        explanation.views.push_back({view.camera.name, facts_of(facts.views.back())});
+    }
+    for (const method::MethodConfig& config : configs)
+        explanation.methods.push_back(explain_method(config, scene_views, facts));
+    return explanation;
+}
+
+std::string as_text(const Explanation& explanation) {
+    std::string text = fmt::format("{}: its scene statistics\n", explanation.scene);
+    text += text_of(explanation.facts);
+    for (const ViewFacts& view : explanation.views)
+        text += fmt::format(
+            "\n{}, seen from {}\n{}", explanation.scene, view.view, text_of(view.facts));
+    for (const MethodExplanation& method : explanation.methods) {
+        text += fmt::format("\n{}: what it may leave out without changing a bit\n{}",
+                            method.method,
+                            text_of(method.skips));
+        if (!method.channels.empty()) {
+            text += fmt::format(
+                "{}: channels that show no line here (leaving one out changes bits)\n{}",
+                method.method,
+                text_of(method.channels));
+        }
+        if (method.plan.empty()) continue;
+        text += fmt::format("{}: what it chose, and why\n", method.method);
+        for (const method::PlanLine& line : method.plan)
+            text += fmt::format("  {}: {}\n", line.what, line.why);
+    }
+    return text;
+}
+
+}  // namespace ink::inspect
