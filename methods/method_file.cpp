@@ -72,8 +72,7 @@ std::span<const ShippedFile> shipped_presets() {
 method::MethodInfo described(method::MethodInfo info,
                              std::string_view text,
                              const std::string& where) {
-    const toml::table root = core::parse_toml(text, where);
-    core::TomlReader file(root, where, "");
+    core::TomlReader file(text, where);
     file.refuse_unknown(
         {"source", "summary", "family", "marker", "sweep", "sum_limits", "tunables"});
     info.source = file.needed_text("source", kNeeded);

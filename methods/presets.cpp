@@ -114,8 +114,7 @@ std::string preset_toml(const PresetFile& preset) {
 Preset parse_preset(std::string_view text,
                     const std::string& where,
                     const std::vector<method::MethodInfo>& bases) {
-    const toml::table root = core::parse_toml(text, where);
-    core::TomlReader file(root, where, "");
+    core::TomlReader file(text, where);
     file.refuse_unknown({"name", "method", "settings", "provenance"});
     Preset preset;
     preset.name = file.needed_text("name", kNeeded);

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/named.h"
+#include "core/toml_document.h"
 
 namespace ink::core {
 namespace {
@@ -33,12 +34,25 @@ int line_of(const toml::node& node) {
 
 }  // namespace
 
-TomlReader::TomlReader(const toml::table& table, std::filesystem::path file, std::string name)
-    : table_(table), file_(std::move(file)), name_(std::move(name)) {}
+struct TomlReader::Table {
+    std::shared_ptr<const toml::table> root;
+    const toml::table& here;
 
-const toml::node* TomlReader::find(const std::string& key) const {
-    return table_.get(key);
+    [[nodiscard]] const toml::node* find(const std::string& key) const { return here.get(key); }
+    [[nodiscard]] std::shared_ptr<const Table> inside(const toml::table& table) const {
+        return std::make_shared<Table>(Table{root, table});
+    }
+};
+
+TomlReader::TomlReader(std::string_view text, std::filesystem::path file) : file_(std::move(file)) {
+    const auto root = std::make_shared<const toml::table>(parse_toml(text, file_));
+    table_ = std::make_shared<Table>(Table{root, *root});
 }
+
+TomlReader::TomlReader(std::shared_ptr<const Table> table,
+                       std::filesystem::path file,
+                       std::string name)
+    : table_(std::move(table)), file_(std::move(file)), name_(std::move(name)) {}
 
 std::string TomlReader::full_name(const std::string& key) const {
     return name_.empty() ? key : name_ + "." + key;
@@ -49,17 +63,18 @@ std::string TomlReader::where_line(int line) const {
 }
 
 std::string TomlReader::where(const std::string& key) const {
-    const toml::node* node = key.empty() ? &table_ : find(key);
+    const toml::node* node = key.empty() ? &table_->here : table_->find(key);
     return where_line(node != nullptr ? line_of(*node) : 0);
 }
 
 void TomlReader::refuse(const std::string& key, const std::string& accepted) const {
-    throw Error(
-        where(key), fmt::format("{} cannot be {}", full_name(key), spelled(*find(key))), accepted);
+    throw Error(where(key),
+                fmt::format("{} cannot be {}", full_name(key), spelled(*table_->find(key))),
+                accepted);
 }
 
 std::optional<std::string> TomlReader::text(const std::string& key) {
-    const toml::node* node = find(key);
+    const toml::node* node = table_->find(key);
     if (node == nullptr) return std::nullopt;
     if (!node->is_string() || node->as_string()->get().empty()) refuse(key, "a text in quotes");
     return node->as_string()->get();
@@ -71,7 +86,7 @@ std::string TomlReader::needed_text(const std::string& key, const std::string& n
 }
 
 std::string TomlReader::scalar(const std::string& key, const Param& param) {
-    const toml::node& node = *find(key);
+    const toml::node& node = *table_->find(key);
     const auto is_right = [&] {
         switch (param.kind) {
             case ParamKind::flag:
@@ -93,7 +108,7 @@ std::string TomlReader::scalar(const std::string& key, const Param& param) {
 }
 
 std::optional<std::vector<TomlText>> TomlReader::texts(const std::string& key) {
-    const toml::node* node = find(key);
+    const toml::node* node = table_->find(key);
     if (node == nullptr) return std::nullopt;
     if (is_scalar(*node)) return std::vector<TomlText>{{spelled(*node), line_of(*node)}};
     const toml::array* array = node->as_array();
@@ -116,7 +131,7 @@ std::optional<std::vector<TomlText>> TomlReader::texts(const std::string& key) {
 }
 
 std::vector<double> TomlReader::numbers(const std::string& key) const {
-    const toml::node* node = find(key);
+    const toml::node* node = table_->find(key);
     if (node == nullptr) return {};
     std::vector<double> numbers;
     const auto add = [&](const toml::node& each) {
@@ -132,21 +147,27 @@ std::vector<double> TomlReader::numbers(const std::string& key) const {
 }
 
 std::optional<TomlReader> TomlReader::table(const std::string& key) {
-    const toml::node* node = find(key);
+    const toml::node* node = table_->find(key);
     if (node == nullptr) return std::nullopt;
     if (!node->is_table()) refuse(key, fmt::format("a table, [{}]", full_name(key)));
-    return TomlReader(*node->as_table(), file_, full_name(key));
+    return TomlReader(table_->inside(*node->as_table()), file_, full_name(key));
+}
+
+TomlReader TomlReader::table_or_empty(const std::string& key) {
+    static const auto kEmpty = std::make_shared<const toml::table>();
+    if (has(key)) return *table(key);
+    return TomlReader(std::make_shared<Table>(Table{kEmpty, *kEmpty}), file_, full_name(key));
 }
 
 std::vector<TomlReader> TomlReader::tables(const std::string& key) {
-    const toml::node* node = find(key);
+    const toml::node* node = table_->find(key);
     if (node == nullptr) return {};
     std::vector<TomlReader> tables;
     const std::string accepted = "a list of tables, [{...}, {...}]";
     if (!node->is_array()) refuse(key, accepted);
     for (const toml::node& each : *node->as_array()) {
         if (!each.is_table()) refuse(key, accepted);
-        tables.emplace_back(*each.as_table(), file_, full_name(key));
+        tables.push_back(TomlReader(table_->inside(*each.as_table()), file_, full_name(key)));
     }
     return tables;
 }
@@ -162,7 +183,7 @@ ParamValues TomlReader::settings(const std::vector<Param>& params) {
 
 std::vector<std::string> TomlReader::keys() const {
     std::vector<std::pair<toml::source_position, std::string>> found;
-    for (const auto& [key, node] : table_)
+    for (const auto& [key, node] : table_->here)
         found.emplace_back(key.source().begin, std::string(key.str()));
     std::stable_sort(
         found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -172,8 +193,12 @@ std::vector<std::string> TomlReader::keys() const {
     return names;
 }
 
+bool TomlReader::has(const std::string& key) const {
+    return table_->find(key) != nullptr;
+}
+
 bool TomlReader::is_table(const std::string& key) const {
-    const toml::node* node = find(key);
+    const toml::node* node = table_->find(key);
     return node != nullptr && node->is_table();
 }
 
@@ -190,32 +215,6 @@ const Param& param_of(const std::vector<Param>& params,
                       const std::string& place) {
     check_known_params(params, {{name, ""}}, place);
     return *find_named(params, name);
-}
-
-toml::array array_of(const std::vector<std::string>& texts) {
-    toml::array array;
-    for (const std::string& text : texts)
-        array.push_back(text);
-    return array;
-}
-
-std::vector<std::string> texts_of(const toml::node_view<const toml::node>& node) {
-    std::vector<std::string> texts;
-    if (const toml::array* array = node.as_array()) {
-        for (const toml::node& text : *array)
-            texts.push_back(text.value_or(std::string()));
-    }
-    return texts;
-}
-
-toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
-    try {
-        return toml::parse(text, file.string());
-    } catch (const toml::parse_error& error) {
-        throw Error(fmt::format("{}:{}", file.string(), error.source().begin.line),
-                    fmt::format("this is no TOML: {}", error.description()),
-                    "key = value, [table], # comment");
-    }
 }
 
 }  // namespace ink::core

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +20,8 @@ struct TomlText {
 /// A table of a TOML file, read strictly: what nobody asked for is an error.
 class TomlReader {
   public:
-    /// `name` is the table's, "" for the whole file. Borrows `table`.
-    TomlReader(const toml::table& table, std::filesystem::path file, std::string name);
+    /// The whole of a file, by its text. Throws Error (where = file and line) if it is no TOML.
+    TomlReader(std::string_view text, std::filesystem::path file);
 
     [[nodiscard]] std::optional<std::string> text(const std::string& key);
     /// The same of a key that must be there; `needed` names those that must.
@@ -37,13 +36,15 @@ class TomlReader {
     [[nodiscard]] std::vector<double> numbers(const std::string& key) const;
     /// A table inside; nothing if the key is not there.
     [[nodiscard]] std::optional<TomlReader> table(const std::string& key);
+    /// The same, empty if the key is not there.
+    [[nodiscard]] TomlReader table_or_empty(const std::string& key);
     /// An array of tables; empty if the key is not there.
     [[nodiscard]] std::vector<TomlReader> tables(const std::string& key);
     /// All keys as settings of a method that has these parameters, as the command line spells them.
     [[nodiscard]] ParamValues settings(const std::vector<Param>& params);
 
     [[nodiscard]] std::vector<std::string> keys() const;  ///< in the order of the file
-    [[nodiscard]] bool has(const std::string& key) const { return find(key) != nullptr; }
+    [[nodiscard]] bool has(const std::string& key) const;
     [[nodiscard]] bool is_table(const std::string& key) const;
     /// file:line of a key, or of the table.
     [[nodiscard]] std::string where(const std::string& key = "") const;
@@ -53,11 +54,13 @@ class TomlReader {
     void refuse_unknown(const std::vector<std::string>& known) const;
 
   private:
+    struct Table;  // of toml++, with the file's whole document
+
+    TomlReader(std::shared_ptr<const Table> table, std::filesystem::path file, std::string name);
     [[noreturn]] void refuse(const std::string& key, const std::string& accepted) const;
-    [[nodiscard]] const toml::node* find(const std::string& key) const;
     [[nodiscard]] std::string full_name(const std::string& key) const;
 
-    const toml::table& table_;
+    std::shared_ptr<const Table> table_;
     std::filesystem::path file_;
     std::string name_;
 };
@@ -66,14 +69,5 @@ class TomlReader {
 [[nodiscard]] const Param& param_of(const std::vector<Param>& params,
                                     const std::string& name,
                                     const std::string& place);
-
-/// The texts as an array of TOML.
-[[nodiscard]] toml::array array_of(const std::vector<std::string>& texts);
-
-/// The texts of an array of TOML; what is no text is "", and what is no array has none.
-[[nodiscard]] std::vector<std::string> texts_of(const toml::node_view<const toml::node>& node);
-
-/// Parses a file's text. Throws Error (where = file and line) if it is no TOML.
-[[nodiscard]] toml::table parse_toml(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace ink::core

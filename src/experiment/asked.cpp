@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/named.h"
-#include "core/toml_reader.h"
+#include "core/toml_document.h"
 #include "experiment/options/option_table.h"
 
 namespace ink::experiment {

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "core/parse_number.h"
-#include "core/toml_reader.h"
+#include "core/toml_document.h"
 #include "core/whole_file.h"
 #include "harness/images/out_folder.h"
 

@@ -135,8 +135,7 @@ std::string read_name(core::TomlReader& file) {
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::filesystem::path& file) {
-    const toml::table root = core::parse_toml(text, file);
-    core::TomlReader reader(root, file, "");
+    core::TomlReader reader(text, file);
     Experiment experiment;
     experiment.where = file.string();
     experiment.name = read_name(reader);
@@ -147,19 +146,15 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     const std::vector<std::string> tables = {
         "name", "kind", "grid", "measure", "answer", "study", "search", "settings", "sweep"};
     read_options(reader, "", tables, experiment);
-    const toml::table none;
-    const auto part = [&](const char* name) {
-        return reader.table(name).value_or(core::TomlReader(none, file, name));
-    };
     for (const char* name : {"grid", "measure", "answer", "study", "search"}) {
-        core::TomlReader table = part(name);
+        core::TomlReader table = reader.table_or_empty(name);
         read_options(table, name, {}, experiment);
     }
     if (experiment.kind == ExperimentKind::hardest) add_searched_methods(experiment);
     if (experiment.methods.empty())
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");
-    core::TomlReader settings = part("settings");
+    core::TomlReader settings = reader.table_or_empty("settings");
     read_settings(settings, experiment);
     if (auto sweep = reader.table("sweep")) read_sweep(*sweep, experiment);
     return experiment;

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/provenance.h"
-#include "core/toml_reader.h"
+#include "core/toml_document.h"
 #include "core/whole_file.h"
 
 namespace ink::experiment {

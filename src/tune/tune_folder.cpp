@@ -1,12 +1,12 @@
 #include "tune/tune_folder.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <sstream>
 #include <utility>
 
 #include "core/hash.h"
+#include "core/toml_document.h"
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"
 #include "experiment/experiment_run.h"

@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "core/error.h"
-#include "core/split_list.h"
 #include "methods/method_configs.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
@@ -72,13 +71,6 @@ TEST(MethodConfigs, APresetCalledAsAShippedOneTakesItsPlace) {
     EXPECT_EQ(std::count_if(configs.begin(), configs.end(), is_namesake), 1);
     EXPECT_EQ(configs.back().info->name, "mote4_tuned");
     EXPECT_EQ(configs.back().info->complete({}).at("threshold"), "77");
-}
-
-TEST(SplitList, LeavesOutWhatIsEmpty) {
-    EXPECT_EQ(core::split_list("a,,b,"), (std::vector<std::string>{"a", "b"}));
-    EXPECT_EQ(core::split_list(" a b ,\tc, ,"), (std::vector<std::string>{"a b", "c"}));
-    EXPECT_TRUE(core::split_list("").empty());
-    EXPECT_TRUE(core::split_list("  ").empty());
 }
 
 }  // namespace

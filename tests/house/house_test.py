@@ -30,7 +30,7 @@ LIBRARIES = {
     "pybind11": ("pybind11/", ("src/python/",), 0),
     "xxHash": ("xxhash.h", (), 1),
     "NLopt": ("nlopt", ("src/search/",), 0),
-    "toml++": ("toml++/", ("src/experiment/", "src/tune/", "tests/"), 1),
+    "toml++": ("toml++/", (), 1),
 }
 
 # Flags that would change images, and words that a newcomer reads twice, with what to write instead.

@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <toml++/toml.h>
-
 #include "core/error.h"
+#include "core/toml_document.h"
 #include "core/whole_file.h"
 #include "methods/method_file.h"
 #include "methods/registry.h"

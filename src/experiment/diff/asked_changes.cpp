@@ -1,9 +1,8 @@
-#include <toml++/toml.h>
-
 #include <map>
 #include <sstream>
 
 #include "core/error.h"
+#include "core/toml_document.h"
 #include "experiment/diff/run_diff.h"
 
 namespace ink::experiment {

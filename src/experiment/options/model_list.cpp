@@ -40,8 +40,7 @@ std::vector<harness::ListedModel> read_model_list(const std::filesystem::path& p
         throw core::Error(
             path.string(), "it cannot be read", "a list of models (see experiments/models.toml)");
     }
-    const toml::table root = core::parse_toml(*text, path);
-    core::TomlReader file(root, path, "");
+    core::TomlReader file(*text, path);
     std::vector<harness::ListedModel> models;
     add_models(file, models);
     for (core::TomlReader& package : file.tables("package"))
