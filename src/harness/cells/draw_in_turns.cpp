@@ -12,8 +12,8 @@
 namespace ink::harness {
 namespace {
 
-/// After so many turns of a round the yardstick is timed again: often enough to meet what the
-/// drawings meet, at a tenth of their time at most.
+/// After so many turns of a round the yardstick is timed again: often enough to run at the speed at
+/// which the drawings ran, at a tenth of their time at most.
 constexpr std::size_t kTurnsPerYardstick = 3;
 
 /// Those who take turns, while they do.
@@ -28,6 +28,7 @@ class Round {
           options_(options),
           images_(images),
           times_(methods.size()),
+          yardsticks_before_(methods.size()),
           is_done_(methods.size(), false),
           again_(view.width_px, view.height_px) {
         images_.assign(methods.size(), again_);
@@ -59,16 +60,26 @@ class Round {
         }
     }
 
+    /// Of each method. The yardstick beside a drawing is the quicker one of those before and after.
     [[nodiscard]] std::vector<DrawTimes> take_times() {
-        for (DrawTimes& times : times_)
-            if (!yardstick_ns_.empty()) times.yardstick_ns = lower_quartile(yardstick_ns_);
+        if (!yardsticks_ns_.empty()) time_yardstick();  // after the last
+        for (std::size_t i = 0; i < times_.size(); ++i) {
+            DrawTimes& times = times_[i];
+            times.yardstick_ns = least_yardstick_ns_;
+            for (std::size_t draw = 0; draw < times.yardsticks_ns.size(); ++draw) {
+                const std::size_t next = yardsticks_before_[i][draw];
+                times.yardsticks_ns[draw] =
+                    std::min(times.yardsticks_ns[draw], yardsticks_ns_[next]);
+            }
+        }
         return std::move(times_);
     }
 
   private:
     void time_yardstick() {
         const core::Spent spent = spent_on([&] { yardstick_.work(); });
-        yardstick_ns_.push_back(options_.threads == 1 ? spent.cpu_ns : spent.wall_ns);
+        yardsticks_ns_.push_back(options_.threads == 1 ? spent.cpu_ns : spent.wall_ns);
+        least_yardstick_ns_ = std::ranges::min(yardsticks_ns_);
     }
 
     template <class Work>
@@ -84,6 +95,9 @@ class Round {
         times.skips = methods_[i]->method().skip_counts();
         times.clock = clock_of(options_.threads);
         times.draws.push_back(spent);
+        times.yardsticks_ns.push_back(yardsticks_ns_.back());
+        times.yardstick_ns = least_yardstick_ns_;
+        yardsticks_before_[i].push_back(yardsticks_ns_.size());
         is_done_[i] = is_enough(times);
     }
 
@@ -122,6 +136,7 @@ class Round {
     void fail(std::size_t i, const std::string& failure) {
         times_[i] = {};
         times_[i].failure = failure;
+        yardsticks_before_[i].clear();
         is_done_[i] = true;
     }
 
@@ -131,7 +146,10 @@ class Round {
     std::vector<edge::EdgeImage>& images_;
     std::vector<DrawTimes> times_;
     Yardstick yardstick_;
-    std::vector<std::int64_t> yardstick_ns_;
+    std::vector<std::int64_t> yardsticks_ns_;
+    std::int64_t least_yardstick_ns_ = 0;
+    /// Of each method's drawings, how many had been timed before.
+    std::vector<std::vector<std::size_t>> yardsticks_before_;
     std::vector<bool> is_done_;
     edge::EdgeImage again_;
 };

@@ -32,7 +32,8 @@ std::vector<std::int64_t> only(const std::vector<core::Spent>& draws,
 
 /// Why the times of `row`, which it has, are uncertain; "" if they are not.
 std::string doubt_of(const DrawTimes& times, const Row& row) {
-    if (times.clock == kThreadClock && exceeds(*row.draw_wall_ns, *row.draw_ns)) return "waited";
+    if (times.clock == kThreadClock && exceeds(*row.draw_wall_ns, *row.draw_cpu_ns))
+        return "waited";
     if (exceeds(*row.draw_ns_median, *row.draw_ns_min)) return "spread";
     return "";
 }
@@ -51,7 +52,16 @@ double lower_spread(std::vector<std::int64_t> times_ns) {
 
 std::vector<std::int64_t> DrawTimes::draws_ns() const {
     const bool is_cpu = clock == kThreadClock || clock == kChildrenClock;
-    return only(draws, is_cpu ? &core::Spent::cpu_ns : &core::Spent::wall_ns);
+    std::vector<std::int64_t> times_ns =
+        only(draws, is_cpu ? &core::Spent::cpu_ns : &core::Spent::wall_ns);
+    if (clock != kThreadClock || yardsticks_ns.size() != draws.size()) return times_ns;
+    for (std::size_t i = 0; i < times_ns.size(); ++i) {
+        if (yardsticks_ns[i] <= 0) continue;
+        const double speed =
+            static_cast<double>(yardstick_ns) / static_cast<double>(yardsticks_ns[i]);
+        times_ns[i] = std::llround(speed * static_cast<double>(times_ns[i]));
+    }
+    return times_ns;
 }
 
 void fill_times(const DrawTimes& times, Row& row) {

@@ -47,12 +47,16 @@ std::int64_t time_ns(Work work, int threads = 1) {
 /// Times of one method on one view, as they were taken.
 struct DrawTimes {
     std::vector<core::Spent> draws = {};
+    /// Of each drawing the time of the yardstick beside it; empty where it was not timed.
+    std::vector<std::int64_t> yardsticks_ns = {};
+    std::int64_t yardstick_ns = 0;  ///< the least while the view was drawn; 0: it was not timed
     std::string clock = {};         ///< that counts, by its name; "" where nothing is timed
     std::string failure = {};       ///< why there are none, or ""
     raster::SkipCounts skips = {};  ///< of the last timed drawing
-    std::int64_t yardstick_ns = 0;  ///< lower quartile of those beside it; 0: there are none
 
-    /// By the clock that counts.
+    /// By the clock that counts. Processor time of one thread is what it would have been at the
+    /// speed that the machine had at its best: where the yardstick beside a drawing took half as
+    /// long again as its least, two thirds of the drawing's time count.
     [[nodiscard]] std::vector<std::int64_t> draws_ns() const;
 };
 

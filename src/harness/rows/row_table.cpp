@@ -102,7 +102,9 @@ void add_scores(RowTable& table) {
     row.add({"prepare_ns", "ns", "once per topology", true}, &Row::prepare_ns);
     row.add({"draw_ns",
              "ns",
-             "lower quartile of a frame's times, by `clock`: the one that ranks",
+             "lower quartile of a frame's times, by `clock`: the one that ranks; of one thread, "
+             "each as "
+             "it would be at the machine's best speed, by the yardstick beside it",
              true},
             &Row::draw_ns);
     row.add({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
@@ -163,8 +165,9 @@ void add_times(RowTable& table) {
             &Row::draw_cpu_ns);
     row.add({"yardstick_ns",
              "ns",
-             "lower quartile of a fixed filter over as many pixels as 720p has, timed between the "
-             "drawings of the view: times of two runs compare as ratios to it",
+             "least time of a fixed piece of work, timed between the drawings of the view: times "
+             "of two "
+             "runs compare as ratios to it",
              true},
             &Row::yardstick_ns);
     row.add({"time_doubt",

@@ -41,8 +41,8 @@ function aboutTerms() {
         ['paired difference', 'two methods compared on the same views, scenes drawn anew for both together. Of ' +
             'twenty 95 % intervals, one misses by chance; so a method leads only by the interval that is to ' +
             'hold together with those of all pairs (the maximum-t method of Westfall and Young, 1993).'],
-        ['draw ms', 'the lower quartile of the processor time of a frame, of several threads of its time on the ' +
-            'wall; over several views their median. Bars along the time axis are quartiles over views.'],
+        ['draw ms', 'the lower quartile of the processor time of a frame at the best speed of the machine, of ' +
+            'several threads of its time on the wall; over several views their median. Bars along the time axis are quartiles over views.'],
         ['baselines', 'four rows that are not methods. none: an empty image. sampled: one exact sample a ' +
             'pixel: the true lines as the surfaces at pixel centres tell them. exact_corner: the same of pixel ' +
             'corners. oracle: the truth itself.'],

@@ -31,7 +31,7 @@ addSection({
             ...classes.map(name => shareColumn(`recall_${name}`, groupTitle(name), line => line.classes[name], {group: 'recall by class of line'})),
             {key: 'width_px', title: 'width px', value: line => line.width_px, text: line => formatNumber(line.width_px)},
             {key: 'ms', title: 'draw ms', value: line => (line.info.hasOwnClock ? null : line.ms), text: line => formatMs(line.ms) + (line.info.hasOwnClock && line.ms !== null ? ' (own clock)' : ''), best: 'low',
-             help: 'Median over views of the lower quartile of the processor time of a frame, of several threads of its time on the wall; of methods from outside, by their own clock', hint: line => (line.msRange ? `quartiles ${formatMs(line.msRange.low)} to ${formatMs(line.msRange.high)} ms` : '')},
+             help: 'Median over views of the lower quartile of the processor time of a frame at the best speed of the machine, of several threads of its time on the wall; of methods from outside, by their own clock', hint: line => (line.msRange ? `quartiles ${formatMs(line.msRange.low)} to ${formatMs(line.msRange.high)} ms` : '')},
             {key: 'bytes', title: 'B/px', value: line => line.bytes, text: line => line.bytes ?? NOTHING, best: 'low', help: 'Bytes a pixel of all buffers, depth included'},
             {key: 'views', title: 'views', value: line => line.views,
              text: line => (line.failed ? `${line.views} of ${line.views + line.failed}` : String(line.views))},
