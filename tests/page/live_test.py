@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from access import faults
-from browser import BrowserTest, Keys, inkbench, skip, webdriver
+from browser import BrowserTest, Keys, TimeoutException, inkbench, skip, webdriver
 from controls import controls, work
 
 try:
@@ -67,6 +67,18 @@ class LiveTest(BrowserTest):
         is_ink = numpy.abs(picture - colour).sum(axis=2) < 150
         is_ink[:height // 8] = False
         return int(is_ink[:, :width // 2 - 20].sum()), int(is_ink[:, width // 2 + 20:].sum())
+
+    def wait_for_ink(self, is_right, name="", colour=(0, 0, 0)):
+        """Waits until the ink on both sides is as a test has it: where cores are all taken, what was drawn
+        stands on the screen only some frames later."""
+        counts = []
+        try:
+            self.wait(lambda: counts.append(self.ink(colour)) or is_right(*counts[-1]))
+        except TimeoutException:
+            self.fail(f"{name}: ink {counts[-1]}")
+
+    def wait_for_lines(self, name="", colour=(0, 0, 0)):
+        self.wait_for_ink(lambda left, right: min(left, right) > 60, name, colour)
 
     def drawn(self, method, view="view0"):
         text = self.script("const bytes = inkbench.draw({method: arguments[0], width: arguments[1], height: arguments[2],"
@@ -151,11 +163,10 @@ class LiveTest(BrowserTest):
                     self.settle()
                     worked += 1
                     if "Lines" in control["name"]:
-                        self.assertEqual(self.ink(), (0, 0))
+                        self.wait_for_ink(lambda left, right: left == right == 0, control["name"])
                     else:
                         colour = (0, 68, 204) if control["kind"] == "color" else (0, 0, 0)
-                        left, right = self.ink(colour)
-                        self.assertGreater(min(left, right), 60, f"{control['name']} {choice}: {left}, {right}")
+                        self.wait_for_lines(f"{control['name']} {choice}", colour)
                 self.open_live()
                 controls(self.browser, root)  # a new page knows none yet
         self.assertGreater(worked, 30)
@@ -172,10 +183,10 @@ class LiveTest(BrowserTest):
         self.open_live()
         self.script("choose({hasFill: false})")
         self.settle()
+        self.wait_for_lines()
         thin = sum(self.ink())
         self.script("choose({lineWidthPx: 4})")
-        self.settle()
-        self.assertGreater(sum(self.ink()), 2 * thin)
+        self.wait_for_ink(lambda left, right: left + right > 2 * thin)
 
     def test_the_divider_moves_by_keys_and_pointer(self):
         self.open_live()
@@ -194,6 +205,7 @@ class LiveTest(BrowserTest):
     def test_pointer_wheel_and_keys_turn_move_and_zoom(self):
         self.open_live()
         canvas = self.find("canvas")
+        self.wait_for_lines()
         before = self.picture()
         cameras = [self.script("return camera.eye")]
         actions = {
@@ -211,9 +223,9 @@ class LiveTest(BrowserTest):
             self.settle()
             cameras.append(self.script("return camera.eye"))
             self.assertNotEqual(cameras[-1], cameras[-2], name)
-            self.assertGreater(min(self.ink()), 60, name)
+            self.wait_for_lines(name)
         self.assertEqual(self.script("return state.view"), "")
-        self.assertGreater(numpy.abs(self.picture() - before).sum(axis=2).astype(bool).sum(), 1000)
+        self.wait(lambda: numpy.abs(self.picture() - before).sum(axis=2).astype(bool).sum() > 1000)
         self.script("choose({view: 'view0'})")
         self.settle()
         self.assertEqual(self.script("return camera.eye"), cameras[0])
@@ -242,7 +254,7 @@ class LiveTest(BrowserTest):
             self.script("choose({theme: arguments[0]}); applyTheme()", theme)
             self.assertEqual(self.script("return document.documentElement.className"), f"{theme}-theme")
             self.assertEqual(faults(self.browser), [], theme)
-            self.assertGreater(min(self.ink()), 60)
+            self.wait_for_lines(theme)
 
     def test_a_phone_sees_all_of_it(self):
         with self.window(390):
@@ -251,7 +263,7 @@ class LiveTest(BrowserTest):
                 self.script("choose({layout: arguments[0]})", layout)
                 self.settle()
                 self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
-                self.assertGreater(min(self.ink()), 60)
+                self.wait_for_lines(layout)
             self.assertEqual(self.script("return Math.round(canvas.width / 2) * 2 <= 390"), True)
 
 
