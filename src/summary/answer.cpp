@@ -37,9 +37,11 @@ bool have_equal_images(const MethodSummary& a, const MethodSummary& b) {
     return a.image_hashes == b.image_hashes && !a.image_hashes.empty();
 }
 
-/// Whether `s` may well be as cheap as `method`: its least times are within the other's usual ones.
+/// Whether another run may find `s` as cheap as `method`: its time is near the limit or below,
+/// where it is the more exact, or its least times are within the other's usual ones.
 bool may_be_as_cheap(const MethodSummary& s, const MethodSummary& method) {
-    if (*s.draw_ms < kAlikeTimes * *method.draw_ms) return true;
+    const double limit = kAlikeTimes * (*s.f_2px > *method.f_2px ? kUnsureTimes : 1);
+    if (*s.draw_ms < limit * *method.draw_ms) return true;
     return s.draw_ms_doubt && method.draw_ms_doubt &&
            s.draw_ms_doubt->low < method.draw_ms_doubt->high;
 }

@@ -12,6 +12,10 @@ struct MethodSummary;
 /// times to a fixed kernel move by as much (bench/README.md).
 inline constexpr double kAlikeTimes = 1.15;
 
+/// From one run to the next the ratio of two methods' times moves by as much, over a few views of a
+/// model (bench/README.md).
+inline constexpr double kUnsureTimes = 1.1;
+
 /// What a reader asks of the answer to "which method makes the fewest errors in this time?".
 struct AnswerRule {
     double f_margin = 0.01;  ///< an F this far below the best measured is as good
@@ -34,7 +38,7 @@ struct Answer {
     const MethodSummary* next = nullptr;        ///< the most exact after that, of other images
     const MethodSummary* fastest = nullptr;     ///< of all with a score, whatever the budget
     /// As good, with other images, and perhaps as cheap: their times and the answer's cannot be
-    /// told apart.
+    /// told apart, so that another run may name them.
     std::vector<const MethodSummary*> as_cheap = {};
 
     /// What the answer is held against: the most exact, or the next if it is that itself.
