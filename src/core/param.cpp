@@ -40,8 +40,9 @@ std::optional<double> parse(const Param& param, std::string_view text) {
             break;
     }
     const auto value = parse_number<double>(text);
-    // NaN is in no range.
+    // NaN is in no range, and what is infinite is no number.
     if (!value || !(*value >= param.min && *value <= param.max)) return std::nullopt;
+    if (!std::isfinite(*value)) return std::nullopt;
     if (param.kind == ParamKind::integer && *value != std::floor(*value)) return std::nullopt;
     return value;
 }
@@ -122,6 +123,7 @@ std::string accepted_values(const Param& param) {
         case ParamKind::real:
             break;
     }
+    if (std::isinf(param.max)) return "a number";
     return fmt::format("a number {}..{}", param.min, param.max);
 }
 

@@ -202,6 +202,11 @@ bool TomlReader::is_table(const std::string& key) const {
     return node != nullptr && node->is_table();
 }
 
+bool TomlReader::is_empty(const std::string& key) const {
+    const toml::node* node = table_->find(key);
+    return node != nullptr && node->is_array() && node->as_array()->empty();
+}
+
 void TomlReader::refuse_unknown(const std::vector<std::string>& known) const {
     for (const std::string& key : keys()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;

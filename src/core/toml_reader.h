@@ -46,6 +46,7 @@ class TomlReader {
     [[nodiscard]] std::vector<std::string> keys() const;  ///< in the order of the file
     [[nodiscard]] bool has(const std::string& key) const;
     [[nodiscard]] bool is_table(const std::string& key) const;
+    [[nodiscard]] bool is_empty(const std::string& key) const;  ///< an array without values
     /// file:line of a key, or of the table.
     [[nodiscard]] std::string where(const std::string& key = "") const;
     [[nodiscard]] std::string where_line(int line) const;

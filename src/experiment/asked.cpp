@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <sstream>
 
@@ -17,34 +17,24 @@ toml::array point(const glm::dvec3& p) {
     return toml::array{p.x, p.y, p.z};
 }
 
+/// The degrees that are read back as this angle, in few digits if there are such.
+double degrees_of(double angle_rad) {
+    const double deg = glm::degrees(angle_rad);
+    for (const double near : {std::round(deg * 1e9) / 1e9, std::nextafter(deg, 0.0)})
+        if (glm::radians(near) == angle_rad) return near;
+    return glm::radians(deg) == angle_rad ? deg : std::nextafter(deg, 180.0);
+}
+
 toml::array cameras_of(const harness::ViewRequest& request) {
     toml::array cameras;
     for (const harness::CameraRequest& camera : request.cameras) {
         toml::table table{{"eye", point(camera.eye_world)}, {"up", point(camera.up_world)}};
         if (camera.target_world) table.insert("target", point(*camera.target_world));
-        if (camera.fov_y_rad) table.insert("fov_deg", glm::degrees(*camera.fov_y_rad));
+        if (camera.fov_y_rad) table.insert("fov_deg", degrees_of(*camera.fov_y_rad));
+        if (camera.height_world) table.insert("parallel_height", *camera.height_world);
         cameras.push_back(std::move(table));
     }
     return cameras;
-}
-
-/// What no file can ask for: cameras, and what they are fitted to.
-toml::table views_of(const harness::ViewRequest& request) {
-    toml::table views;
-    if (request.orbit_count) views.insert("orbit", *request.orbit_count);
-    if (!request.directions.empty())
-        views.insert("directions", core::array_of(core::names_of(request.directions)));
-    if (request.up) views.insert("up", name(*request.up));
-    if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
-    if (request.height_world) views.insert("parallel_height", *request.height_world);
-    if (request.margin) views.insert("margin", *request.margin);
-    if (!request.objects.empty()) views.insert("objects", core::array_of(request.objects));
-    if (request.file_cameras) views.insert("file_cameras", true);
-    if (!request.cameras.empty()) views.insert("cameras", cameras_of(request));
-    if (request.time_s) views.insert("time_s", *request.time_s);
-    if (request.frame) views.insert("frame", *request.frame);
-    if (!request.model.animation.empty()) views.insert("animation", request.model.animation);
-    return views;
 }
 
 toml::table methods_of(const Experiment& experiment) {
@@ -60,22 +50,28 @@ toml::table methods_of(const Experiment& experiment) {
 
 toml::array grids_of(const Experiment& experiment) {
     toml::array grids;
-    for (const SettingGrid& grid : experiment.grids) {
+    for (const SettingGrid& grid : experiment.compare.grids) {
         toml::table axes;
-        for (const auto& [key, values] : grid.axes)
+        toml::array order;  // of which a table keeps nothing
+        for (const auto& [key, values] : grid.axes) {
             axes.insert(key, core::array_of(values));
-        grids.push_back(toml::table{{"method", grid.method}, {"parameters", std::move(axes)}});
+            order.push_back(key);
+        }
+        grids.push_back(toml::table{
+            {"method", grid.method}, {"parameters", std::move(axes)}, {"order", std::move(order)}});
     }
     return grids;
 }
 
-/// Adds the value of an option; one that is out of its range, such as no limit, is not asked for.
+/// Adds the value of an option; one that is out of its range, such as no limit, is not asked for,
+/// and of views only what is asked for.
 void add_option(const Experiment& experiment, std::size_t row, toml::table& asked) {
     const core::Param& param = option_table().param(row);
     const std::vector<std::string> texts = option_table().texts(experiment, row);
     const auto [of, key] = place_of(param);
     toml::table* table =
         of.empty() ? &asked : asked.emplace<toml::table>(of).first->second.as_table();
+    if (of == "views" && texts == option_table().texts(Experiment{}, row)) return;
     if (param.kind == core::ParamKind::list) {
         table->insert(key, core::array_of(texts));
         return;
@@ -102,7 +98,10 @@ std::string asked_text(const Experiment& experiment) {
     toml::table asked;
     for (std::size_t row = 0; row < option_table().options.size(); ++row)
         if (option_table().has_kind(row, experiment.kind)) add_option(experiment, row, asked);
-    asked.insert("views", views_of(experiment.view_request));
+    toml::table& views = *asked.emplace<toml::table>("views").first->second.as_table();
+    if (!experiment.view_request.cameras.empty())
+        views.insert("cameras", cameras_of(experiment.view_request));
+    if (!experiment.settings.empty()) asked.insert("settings", core::array_of(experiment.settings));
     asked.insert("methods", methods_of(experiment));
     if (experiment.kind == ExperimentKind::compare)
         asked["sweep"].as_table()->insert("grids", grids_of(experiment));

@@ -21,22 +21,15 @@ std::string_view name(ExperimentKind kind) {
     return kNames.at(static_cast<std::size_t>(kind));
 }
 
-std::vector<scene::ProjectionKind> parse_projections(const std::vector<core::GivenText>& names) {
-    const auto& known = scene::kProjectionNames;
-    std::vector<scene::ProjectionKind> kinds;
-    for (const core::GivenText& name : names) {
-        const auto at = std::find(known.begin(), known.end(), name.text) - known.begin();
-        const auto kind = static_cast<scene::ProjectionKind>(at);
-        const bool is_known = at < std::ssize(known);
-        if (!is_known || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
-            throw core::Error(name.where,
-                              is_known ? fmt::format("'{}' is named twice", name.text)
-                                       : fmt::format("there is no projection '{}'", name.text),
-                              fmt::format("{}, or both", fmt::join(known, ", ")));
-        }
-        kinds.push_back(kind);
-    }
-    return kinds;
+harness::ViewRequest views_of(const Experiment& experiment, const ImageSize& size) {
+    harness::ViewRequest request = experiment.view_request;
+    request.width_px = size.width_px;
+    request.height_px = size.height_px;
+    return request;
+}
+
+harness::ViewRequest views_of(const Experiment& experiment) {
+    return views_of(experiment, experiment.sizes.front());
 }
 
 ImageSize parse_image_size(const std::string& text, const std::string& where) {
@@ -76,15 +69,15 @@ void add_searched_methods(Experiment& experiment) {
 
 std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
     std::vector<method::MethodConfig> configs;
-    const bool is_all_own = experiment.methods.empty() && experiment.presets.empty();
-    if (experiment.own_methods.empty() || !is_all_own) {
+    const bool is_all_own = experiment.methods.empty() && experiment.compare.presets.empty();
+    if (experiment.compare.own_methods.empty() || !is_all_own) {
         configs = methods::make_configs(
-            fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
+            fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.compare.presets);
     }
-    std::vector<method::MethodConfig> outside = experiment.own_methods;
-    for (const std::string& text : experiment.entrants)
+    std::vector<method::MethodConfig> outside = experiment.compare.own_methods;
+    for (const std::string& text : experiment.compare.entrants)
         outside.push_back(entrants::entrant_config(entrants::parse_entrant(text),
-                                                   {.wall_s = experiment.entrant_s}));
+                                                   {.wall_s = experiment.compare.entrant_s}));
     for (method::MethodConfig& config : outside) {
         configs.push_back(std::move(config));
         const auto is_namesake = [&](const method::MethodConfig& other) {
@@ -104,7 +97,8 @@ std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
         }
     }
     methods::follow_crease(experiment.crease_deg, configs);
-    return methods::at_each_antialias(configs, experiment.antialias, experiment.line_width_px);
+    return methods::at_each_antialias(
+        configs, experiment.compare.antialias, experiment.compare.line_width_px);
 }
 
 std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment) {

@@ -29,6 +29,48 @@ enum class ExperimentKind { compare, stress, animation, hardest };
 /// Of which views a comparison keeps images: none, the first of each scene, or all.
 enum class KeptImages { none, first, all };
 
+/// Every combination of some settings of one method.
+struct SettingGrid {
+    std::string method;
+    std::vector<std::pair<std::string, std::vector<std::string>>> axes;  ///< key, its values
+};
+
+/// What a comparison alone is asked.
+struct CompareRequest {
+    std::vector<std::string> presets = {};   ///< preset files whose methods take part too
+    std::vector<std::string> entrants = {};  ///< NAME=PATH, methods from outside that take part too
+    double entrant_s = 60;                   ///< that a program from outside may take for a view
+    std::vector<method::MethodConfig> own_methods = {};  ///< made by code, beside or instead
+    int views = 0;                                       ///< the first of each scene; 0: all
+    std::vector<SettingGrid> grids = {};                 ///< sweep.csv
+    int own_sweep_views = 0;                  ///< sweep.csv: each method's own, on the first views
+    std::vector<std::string> skips_off = {};  ///< optimisations that methods may not use
+    scene::CreaseSource creases = scene::CreaseSource::angle;  ///< of the truth
+    KeptImages images = KeptImages::first;
+    bool study_motion = false;   ///< the sequences of an animation, too
+    bool study_scaling = false;  ///< scaling_axes.h too
+    bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
+    summary::AnswerRule answer = {};  ///< how it is chosen; no row depends on it
+    /// How many samples a pixel the methods draw, each choice a method of its own.
+    std::vector<methods::Antialias> antialias = {methods::Antialias::none};
+    bool coverage = false;  ///< score grey lines too
+    /// Of grey lines: of the true ones, and of those that methods draw with several samples.
+    double line_width_px = score::kLineWidth_px;
+};
+
+/// What the sweep of difficulties alone is asked.
+struct StressRequest {
+    std::vector<std::string> axes = {};        ///< none: all
+    std::vector<studies::Axis> own_axes = {};  ///< made by code, beside (or instead of) these
+    int points = 0;                            ///< values of an axis, at most; 0: all
+    scene::ProjectionKind projection = scene::ProjectionKind::perspective;  ///< of all cameras
+};
+
+/// What sequences alone are asked.
+struct AnimationRequest {
+    int frames = 48;  ///< of a sequence
+};
+
 /// What a search for the hardest views is asked for (studies/hardest/hardest_view.h). All of these
 /// methods take part, so that the views that are found show them all.
 struct HardestRequest {
@@ -39,75 +81,52 @@ struct HardestRequest {
     int worst = 5;  ///< views kept of each scene and method
 };
 
-/// Every combination of some settings of one method.
-struct SettingGrid {
-    std::string method;
-    std::vector<std::pair<std::string, std::vector<std::string>>> axes;  ///< key, its values
-};
-
 struct ImageSize {
     int width_px = 0;
     int height_px = 0;
 };
 
-/// An experiment, from its file or from the options of a command; all names are checked.
+/// An experiment, from its file or from the options of a command; all names are checked. A part of
+/// it is of each kind alone, the rest of all.
 struct Experiment {
     std::string where;    ///< the file or the command that asks, for messages
     std::string command;  ///< as the user typed it, less what says where results go; may be ""
     std::string name;
     ExperimentKind kind = ExperimentKind::compare;
     std::uint64_t seed = 0;
-    std::vector<std::string> methods;   ///< registered names, each once; none: all
-    std::vector<std::string> presets;   ///< preset files whose methods take part too
-    std::vector<std::string> entrants;  ///< NAME=PATH, methods from outside that take part too
-    double entrant_s = 60;              ///< that a program from outside may take for a view
-    /// compare: made by code, beside (or instead of) these.
-    std::vector<method::MethodConfig> own_methods = {};
-    std::vector<ImageSize> sizes;       ///< one at least
-    std::vector<int> threads = {1};     ///< of the methods
+    std::vector<std::string> methods;              ///< registered names, each once; none: all
+    std::vector<std::string> settings;             ///< key=value or method.key=value
+    std::vector<ImageSize> sizes = {{1280, 720}};  ///< one at least
+    std::vector<int> threads = {1};                ///< of the methods
     std::vector<std::string> scenes;    ///< built-in scenes or model files; not of stress
     harness::ViewRequest view_request;  ///< from where scenes are seen; its size is not read
     std::string model_list = {};        ///< the file that `view_request.listed` is of, or ""
-    int views = 0;                      ///< the first of each scene; 0: all
-    std::vector<std::string> axes;      ///< of stress; none: all
-    scene::ProjectionKind projection =
-        scene::ProjectionKind::perspective;  ///< of stress: how all its cameras look
-    std::vector<studies::Axis> own_axes =
-        {};                              ///< stress: made by code, beside (or instead of) these
-    int points = 0;                      ///< values of an axis, at most; 0: all
-    int frames = 48;                     ///< of a sequence
-    std::vector<std::string> settings;   ///< key=value or method.key=value
-    std::vector<SettingGrid> grids;      ///< sweep.csv
-    int own_sweep_views = 0;             ///< sweep.csv: each method's own, on the first views
-    std::vector<std::string> skips_off;  ///< optimisations that methods may not use
-    double crease_deg = 40;              ///< of the truth, and of methods that follow it
-    scene::CreaseSource creases = scene::CreaseSource::angle;  ///< of the truth
-    double weld_epsilon = 0;  ///< of the truth, share of each part's diagonal
+    double crease_deg = 40;             ///< of the truth, and of methods that follow it
+    double weld_epsilon = 0;            ///< of the truth, share of each part's diagonal
     score::Intersections intersections = score::Intersections::above_crease;  ///< that count
-    KeptImages images = KeptImages::first;
-    bool study_motion = false;   ///< compare: the sequences of an animation, too
-    bool study_scaling = false;  ///< compare: scaling_axes.h too
-    HardestRequest hardest;
-    int repetitions = 60;        ///< timed drawings, at most
-    double budget_ms = 60;       ///< of drawing, after which repetitions end
-    bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
-    bool crosscheck = true;      ///< hold truths against the cross-check
-    bool times = true;           ///< false: columns of times stay empty
-    summary::AnswerRule answer;  ///< compare: how it is chosen; no row depends on it
-    // Compare:
-    /// How many samples a pixel the methods draw, each choice a method of its own.
-    std::vector<methods::Antialias> antialias = {methods::Antialias::none};
-    bool coverage = false;  ///< score grey lines too
-    /// Of grey lines: of the true ones, and of those that methods draw with several samples.
-    double line_width_px = score::kLineWidth_px;
+    bool crosscheck = true;  ///< hold truths against the cross-check
+    bool times = true;       ///< false: columns of times stay empty
+    int repetitions = 60;    ///< timed drawings, at most
+    double budget_ms = 60;   ///< of drawing, after which repetitions end
+    CompareRequest compare = {};
+    StressRequest stress = {};
+    AnimationRequest animation = {};
+    HardestRequest hardest = {};
 };
+
+/// From where its scenes are seen, in images of this size.
+[[nodiscard]] harness::ViewRequest views_of(const Experiment& experiment, const ImageSize& size);
+
+/// The same in images of the first of its sizes.
+[[nodiscard]] harness::ViewRequest views_of(const Experiment& experiment);
 
 /// Reads an experiment. Throws core::Error (where = file and line) that names key, value and what
 /// is accepted: for TOML that cannot be read, unknown keys, wrong types, unknown names, values out
 /// of range, and a grid without cells.
 [[nodiscard]] Experiment read_experiment(const std::filesystem::path& file);
 
-/// The same from text; `file` is for messages and for models beside it.
+/// The same from text; `file` is for messages and for models beside it. What run.toml of a run
+/// records as asked is asked again.
 [[nodiscard]] Experiment parse_experiment(const std::string& text,
                                           const std::filesystem::path& file);
 
@@ -130,10 +149,6 @@ void add_searched_methods(Experiment& experiment);
 
 /// The scenes that "catalogue", "train" and "heldout" stand for; any other name is its own.
 [[nodiscard]] std::vector<std::string> scenes_called(const std::string& name);
-
-/// Projections by their names, each once. Throws core::Error (where = the text's).
-[[nodiscard]] std::vector<scene::ProjectionKind> parse_projections(
-    const std::vector<core::GivenText>& names);
 
 /// "640x360"; throws core::Error (where = `where`) for text that is no size, or one that cannot be
 /// drawn.

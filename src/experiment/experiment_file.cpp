@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <optional>
 
 #include "core/error.h"
 #include "core/toml_reader.h"
 #include "core/whole_file.h"
 #include "experiment/experiment.h"
 #include "experiment/options/option_table.h"
+#include "experiment/options/view_rows.h"
 #include "methods/method_configs.h"
 
 namespace ink::experiment {
@@ -29,10 +32,12 @@ std::vector<core::GivenText> given_texts(core::TomlReader& table,
 }
 
 /// Reads the options of a table, "" for the top of the file, in the order of the option table.
-/// `others` are keys that are read elsewhere.
+/// `others` are keys that are read elsewhere. A list that run.toml has without values was not
+/// asked for.
 void read_options(core::TomlReader& table,
                   const std::string& name,
                   const std::vector<std::string>& others,
+                  bool is_record,
                   Experiment& experiment) {
     const OptionTable& all = option_table();
     std::vector<std::string> known = others;
@@ -41,7 +46,7 @@ void read_options(core::TomlReader& table,
         const auto [of, key] = place_of(param);
         if (of != name || !all.has_kind(row, experiment.kind)) continue;
         known.push_back(key);
-        if (table.has(key))
+        if (table.has(key) && !(is_record && table.is_empty(key)))
             all.rows.set(experiment, row, given_texts(table, key, param), param.name);
     }
     table.refuse_unknown(known);
@@ -59,28 +64,43 @@ std::string all_methods(const Experiment& experiment) {
     return fmt::format("{}", fmt::join(experiment.methods, ","));
 }
 
-void read_settings(core::TomlReader& settings, Experiment& experiment) {
+/// Adds "key=value" that was given at a place.
+void add_setting(const core::GivenText& setting, Experiment& experiment) {
+    at_place(setting.where,
+             [&] { (void)methods::make_configs(all_methods(experiment), {setting.text}); });
+    experiment.settings.push_back(setting.text);
+}
+
+/// A table, of values or of tables of methods; or a list, as run.toml has it.
+void read_settings(core::TomlReader& file, Experiment& experiment) {
+    if (!file.has("settings")) return;
+    if (!file.is_table("settings")) {
+        const auto texts = file.texts("settings");
+        for (const core::TomlText& text : *texts)
+            add_setting({text.text, file.where_line(text.line)}, experiment);
+        return;
+    }
     const auto add =
         [&](core::TomlReader& table, const std::string& prefix, const std::string& key) {
-            const std::string text = prefix + key + "=" + one_text(table, key);
-            at_place(table.where(key),
-                     [&] { (void)methods::make_configs(all_methods(experiment), {text}); });
-            experiment.settings.push_back(text);
+            add_setting({prefix + key + "=" + one_text(table, key), table.where(key)}, experiment);
         };
-    for (const std::string& key : settings.keys()) {
-        if (!settings.is_table(key)) {
-            add(settings, "", key);
+    auto settings = file.table("settings");
+    for (const std::string& key : settings->keys()) {
+        if (!settings->is_table(key)) {
+            add(*settings, "", key);
             continue;
         }
-        auto of_method = settings.table(key);
+        auto of_method = settings->table(key);
         for (const std::string& own : of_method->keys())
             add(*of_method, key + ".", own);
     }
 }
 
-SettingGrid read_setting_grid(core::TomlReader& table, const std::string& method) {
+SettingGrid read_setting_grid(core::TomlReader& table,
+                              const std::string& method,
+                              const std::vector<std::string>& keys) {
     SettingGrid grid{method, {}};
-    for (const std::string& key : table.keys()) {
+    for (const std::string& key : keys) {
         std::vector<std::string> values;
         const auto texts = table.texts(key);
         for (const core::TomlText& value : *texts) {
@@ -94,18 +114,36 @@ SettingGrid read_setting_grid(core::TomlReader& table, const std::string& method
     return grid;
 }
 
+/// The grids as run.toml has them: `order` is that of the parameters, of which a table has none.
+void read_recorded_grids(core::TomlReader& sweep, std::vector<SettingGrid>& grids) {
+    for (core::TomlReader& grid : sweep.tables("grids")) {
+        core::TomlReader parameters = grid.table_or_empty("parameters");
+        std::vector<std::string> keys;
+        if (const auto order = grid.texts("order"))
+            for (const core::TomlText& key : *order)
+                keys.push_back(key.text);
+        grids.push_back(read_setting_grid(
+            parameters, grid.needed_text("method", "method, order, parameters"), keys));
+    }
+}
+
 /// The grids of methods; the table's own keys are options.
-void read_sweep(core::TomlReader& sweep, Experiment& experiment) {
+void read_sweep(core::TomlReader& sweep, bool is_record, Experiment& experiment) {
     if (experiment.kind != ExperimentKind::compare) {
         throw core::Error(sweep.where(), "this kind of experiment has no sweep", "kind = compare");
+    }
+    std::vector<SettingGrid>& grids = experiment.compare.grids;
+    if (is_record) {
+        read_recorded_grids(sweep, grids);
+        return read_options(sweep, "sweep", {"grids"}, is_record, experiment);
     }
     for (const std::string& key : sweep.keys()) {
         const auto& names = experiment.methods;
         if (std::find(names.begin(), names.end(), key) == names.end()) continue;
         auto table = sweep.table(key);
-        experiment.grids.push_back(read_setting_grid(*table, key));
+        grids.push_back(read_setting_grid(*table, key, table->keys()));
     }
-    read_options(sweep, "sweep", experiment.methods, experiment);
+    read_options(sweep, "sweep", experiment.methods, is_record, experiment);
 }
 
 ExperimentKind read_kind(core::TomlReader& file) {
@@ -132,31 +170,89 @@ std::string read_name(core::TomlReader& file) {
     return name;
 }
 
+/// Three numbers of a table; nothing if the key is not there.
+std::optional<glm::dvec3> read_point(const core::TomlReader& table, const std::string& key) {
+    if (!table.has(key)) return std::nullopt;
+    const std::vector<double> numbers = table.numbers(key);
+    const auto is_finite = [](double number) { return std::isfinite(number); };
+    if (numbers.size() == 3 && std::ranges::all_of(numbers, is_finite))
+        return glm::dvec3(numbers[0], numbers[1], numbers[2]);
+    throw core::Error(table.where(key), fmt::format("{} is no point", key), "[X, Y, Z]");
+}
+
+std::optional<double> read_number(const core::TomlReader& table, const std::string& key) {
+    if (!table.has(key)) return std::nullopt;
+    const std::vector<double> numbers = table.numbers(key);
+    if (numbers.size() == 1) return numbers.front();
+    throw core::Error(table.where(key), fmt::format("{} is no number", key), "a number");
+}
+
+harness::CameraRequest read_camera(const core::TomlReader& table) {
+    table.refuse_unknown({"eye", "target", "up", "fov_deg", "parallel_height"});
+    harness::CameraRequest camera;
+    const auto eye_world = read_point(table, "eye");
+    if (!eye_world) throw core::Error(table.where(), "a camera has no eye", "eye = [X, Y, Z]");
+    camera.eye_world = *eye_world;
+    camera.target_world = read_point(table, "target");
+    if (const auto up_world = read_point(table, "up"))
+        camera.up_world = checked_direction(*up_world, {"up", table.where("up")});
+    camera.fov_y_rad = glm::radians(read_number(table, "fov_deg").value_or(kFov_deg));
+    if (const auto height_world = read_number(table, "parallel_height"))
+        camera.height_world =
+            at_place(table.where("parallel_height"), [&] { return checked_height(*height_world); });
+    return camera;
+}
+
+/// Cameras, and the options of views, of kinds that have these.
+void read_views(core::TomlReader& views, bool is_record, Experiment& experiment) {
+    const OptionTable& all = option_table();
+    std::vector<std::string> others;
+    if (all.has_kind(all.row("views.fit"), experiment.kind)) {
+        others = {"cameras"};
+        for (const core::TomlReader& camera : views.tables("cameras"))
+            experiment.view_request.cameras.push_back(read_camera(camera));
+    }
+    read_options(views, "views", others, is_record, experiment);
+    at_place(views.where(), [&] { settle_views(experiment.view_request); });
+}
+
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::filesystem::path& file) {
-    core::TomlReader reader(text, file);
+    core::TomlReader whole(text, file);
     Experiment experiment;
     experiment.where = file.string();
-    experiment.name = read_name(reader);
-    experiment.kind = read_kind(reader);
+    experiment.name = read_name(whole);
+    experiment.kind = read_kind(whole);
     if (experiment.kind == ExperimentKind::compare) experiment.scenes = scenes_called("catalogue");
     if (experiment.kind == ExperimentKind::hardest) experiment.times = false;
     experiment.sizes = {{640, 360}};
-    const std::vector<std::string> tables = {
-        "name", "kind", "grid", "measure", "answer", "study", "search", "settings", "sweep"};
-    read_options(reader, "", tables, experiment);
+    const bool is_record = whole.is_table("asked");
+    core::TomlReader reader = is_record ? *whole.table("asked") : whole;
+    // Of methods run.toml has every parameter, those that were set in `settings` too.
+    const std::vector<std::string> others = {is_record ? "methods" : "name",
+                                             "kind",
+                                             "settings",
+                                             "sweep",
+                                             "views",
+                                             "grid",
+                                             "measure",
+                                             "answer",
+                                             "study",
+                                             "search"};
+    read_options(reader, "", others, is_record, experiment);
     for (const char* name : {"grid", "measure", "answer", "study", "search"}) {
         core::TomlReader table = reader.table_or_empty(name);
-        read_options(table, name, {}, experiment);
+        read_options(table, name, {}, is_record, experiment);
     }
+    core::TomlReader views = reader.table_or_empty("views");
+    read_views(views, is_record, experiment);
     if (experiment.kind == ExperimentKind::hardest) add_searched_methods(experiment);
     if (experiment.methods.empty())
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");
-    core::TomlReader settings = reader.table_or_empty("settings");
-    read_settings(settings, experiment);
-    if (auto sweep = reader.table("sweep")) read_sweep(*sweep, experiment);
+    read_settings(reader, experiment);
+    if (auto sweep = reader.table("sweep")) read_sweep(*sweep, is_record, experiment);
     return experiment;
 }
 

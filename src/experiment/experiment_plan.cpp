@@ -32,7 +32,7 @@ std::string identity_of(const Experiment& experiment, const Plan& plan) {
     core::Hasher hasher;
     hasher.text(plan.build).text(core::provenance().compiler).text(core::provenance().flags);
     Experiment rows = experiment;
-    rows.answer = {};
+    rows.compare.answer = {};
     hasher.text(plan.name).text(plan.kind).text(asked_text(rows));
     for (const std::string& scene : experiment.scenes)
         add_file(scene, hasher);
@@ -55,7 +55,7 @@ harness::TraceOptions trace_of(const Experiment& experiment, const std::filesyst
     trace.cache = cache;
     trace.truth.threads = core::hardware_threads();
     trace.truth.crease_rad = glm::radians(experiment.crease_deg);
-    trace.truth.creases = experiment.creases;
+    trace.truth.creases = experiment.compare.creases;
     trace.truth.weld_epsilon = experiment.weld_epsilon;
     trace.intersections = experiment.intersections;
     return trace;
@@ -97,12 +97,12 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.kind = name(experiment.kind);
     plan.command = experiment.command;
     plan.asked = asked_text(experiment);
-    plan.answer = experiment.answer;
+    plan.answer = experiment.compare.answer;
     plan.times = experiment.times;
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
     plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));
     for (const ImageSize& size : experiment.sizes) {
-        for (const methods::Antialias antialias : experiment.antialias)
+        for (const methods::Antialias antialias : experiment.compare.antialias)
             (void)methods::enlarged({{}, size.width_px, size.height_px},
                                     methods::samples_per_side(antialias));  // or too large
     }

@@ -27,7 +27,8 @@ ViewBench::ViewBench(const Experiment& experiment,
       configs_(configs_of(experiment)),
       triangles_at_once_(triangles_at_once) {
     trace_.crosscheck = experiment.crosscheck;
-    skips_ = harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
+    skips_ =
+        harness::without_skips(harness::skips_of_repeated_drawings(), experiment.compare.skips_off);
     add_scenes(experiment.sizes.front(), std::move(scenes));
 }
 
@@ -36,19 +37,15 @@ ViewBench::ViewBench(const Experiment& experiment,
                      std::size_t triangles_at_once)
     : ViewBench(
           experiment, std::move(trace), std::vector<harness::SceneViews>{}, triangles_at_once) {
-    for (const ImageSize& size : experiment.sizes) {
-        harness::ViewRequest request = experiment.view_request;
-        request.width_px = size.width_px;
-        request.height_px = size.height_px;
-        add_scenes(size, harness::load_scenes(experiment.scenes, request));
-    }
+    for (const ImageSize& size : experiment.sizes)
+        add_scenes(size, harness::load_scenes(experiment.scenes, views_of(experiment, size)));
 }
 
 void ViewBench::add_scenes(const ImageSize& size, std::vector<harness::SceneViews> scenes) {
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         views_[{s, size.width_px, size.height_px}] = std::move(scenes[s].views);
         if (scenes_.size() > s) continue;
-        scene::check_creases(scenes[s].scene, experiment_.creases);
+        scene::check_creases(scenes[s].scene, experiment_.compare.creases);
         scenes_.push_back(std::move(scenes[s].scene));
     }
     desks_.resize(scenes_.size());
@@ -56,7 +53,9 @@ void ViewBench::add_scenes(const ImageSize& size, std::vector<harness::SceneView
 
 std::size_t ViewBench::view_count(std::size_t scene, const ImageSize& size) const {
     const std::size_t all = views_.at({scene, size.width_px, size.height_px}).size();
-    return experiment_.views > 0 ? std::min(all, static_cast<std::size_t>(experiment_.views)) : all;
+    return experiment_.compare.views > 0
+               ? std::min(all, static_cast<std::size_t>(experiment_.compare.views))
+               : all;
 }
 
 const scene::View& ViewBench::view(std::size_t scene, const ImageSize& size, std::size_t n) const {
@@ -72,7 +71,7 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, repetitions);
     options.measure.budget_s = experiment_.budget_ms * 1e-3;
     options.measure.skips = skips_;
-    if (experiment_.coverage) options.line_width_px = experiment_.line_width_px;
+    if (experiment_.compare.coverage) options.line_width_px = experiment_.compare.line_width_px;
     return options;
 }
 

@@ -6,21 +6,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <glm/trigonometric.hpp>
+#include <map>
 #include <utility>
 
 #include "core/error.h"
-#include "core/named.h"
 #include "core/param.h"
 #include "core/parse_number.h"
 #include "core/split_list.h"
 #include "experiment/options/option_table.h"
+#include "experiment/options/view_rows.h"
 
 namespace ink::python {
 
 namespace py = pybind11;
 using experiment::option_table;
-using experiment::ViewOptions;
 
 namespace {
 
@@ -46,52 +48,70 @@ std::vector<std::string> texts_of(const py::handle& value) {
     return texts;
 }
 
-/// A point, "X,Y,Z", or a size, "WIDTHxHEIGHT".
 std::string joined(const py::handle& value, const char* between) {
     return fmt::format("{}", fmt::join(texts_of(value), between));
 }
 
-template <class T>
-T number_of(const py::handle& value, const char* option, const char* accepted) {
+/// The numbers of a sequence; none of a text, which says them in the program's way.
+std::vector<double> numbers_of(const py::handle& value) {
+    std::vector<double> numbers;
+    if (py::isinstance<py::str>(value) || !py::hasattr(value, "__iter__")) return numbers;
+    for (const py::handle each : value) {
+        if (PyNumber_Check(each.ptr()) == 0) return {};
+        numbers.push_back(py::float_(py::reinterpret_borrow<py::object>(each)));
+    }
+    return numbers;
+}
+
+double number_of(const py::handle& value, const char* option, const char* accepted) {
+    if (PyNumber_Check(value.ptr()) != 0)
+        return py::float_(py::reinterpret_borrow<py::object>(value));
     const std::string text = text_of(value);
-    const auto number = core::parse_number<T>(text);
+    const auto number = core::parse_number<double>(text);
     if (!number) throw core::Error(option, fmt::format("'{}' is no number", text), accepted);
     return *number;
 }
 
-struct ViewKeyword {
-    const char* name;
-    void (*set)(ViewOptions& options, const py::handle& value);
-};
-constexpr std::array kViewKeywords = {
-    ViewKeyword{"size", [](ViewOptions& o, const py::handle& v) { o.size = joined(v, "x"); }},
-    ViewKeyword{"views", [](ViewOptions& o, const py::handle& v) { o.views = text_of(v); }},
-    ViewKeyword{"up", [](ViewOptions& o, const py::handle& v) { o.up = text_of(v); }},
-    ViewKeyword{"projection",
-                [](ViewOptions& o, const py::handle& v) {
-                    const bool is_list = !py::isinstance<py::str>(v);
-                    o.projection =
-                        is_list ? fmt::format("{}", fmt::join(texts_of(v), ",")) : text_of(v);
-                }},
-    ViewKeyword{"fit", [](ViewOptions& o, const py::handle& v) { o.fit = text_of(v); }},
-    ViewKeyword{"margin",
-                [](ViewOptions& o, const py::handle& v) {
-                    o.margin = number_of<double>(v, "--margin", "a share of the frame");
-                }},
-    ViewKeyword{"objects", [](ViewOptions& o, const py::handle& v) { o.objects = texts_of(v); }},
-    ViewKeyword{"time_s",
-                [](ViewOptions& o, const py::handle& v) {
-                    o.time_s = number_of<double>(v, "--time", "seconds");
-                }},
-    ViewKeyword{"frame",
-                [](ViewOptions& o, const py::handle& v) {
-                    o.frame = number_of<int>(v, "--frame", "a stored frame's number");
-                }},
-    ViewKeyword{"animation", [](ViewOptions& o, const py::handle& v) { o.animation = text_of(v); }},
-    ViewKeyword{"seams", [](ViewOptions& o, const py::handle& v) { o.seams = text_of(v); }}};
+glm::dvec3 point_of(const py::handle& value, const core::GivenText& given) {
+    const std::vector<double> numbers = numbers_of(value);
+    const bool is_point = numbers.size() == 3 && std::ranges::all_of(numbers, [](double number) {
+                              return std::isfinite(number);
+                          });
+    return is_point ? glm::dvec3(numbers[0], numbers[1], numbers[2])
+                    : experiment::parse_point(given);
+}
 
-std::string key_of(const std::string& row) {
-    return experiment::place_of(option_table().param(option_table().row(row))).key;
+experiment::ImageSize size_of(const py::handle& value) {
+    const std::vector<double> numbers = numbers_of(value);
+    const auto is_whole = [](double number) {
+        return std::abs(number) < 1e9 && number == std::round(number);
+    };
+    if (numbers.size() != 2 || !std::ranges::all_of(numbers, is_whole))
+        return experiment::parse_image_size(joined(value, "x"), "--size");
+    const experiment::ImageSize size{static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
+    harness::check_size(size.width_px, size.height_px);
+    return size;
+}
+
+/// Rows of views that are keywords too; a Camera has the others.
+constexpr std::array kOfViews = {"grid.sizes",
+                                 "views.views",
+                                 "views.up",
+                                 "grid.projections",
+                                 "views.fit",
+                                 "views.margin",
+                                 "views.objects",
+                                 "views.time_s",
+                                 "views.frame",
+                                 "views.animation",
+                                 "grid.seams"};
+
+/// Where a command takes one of a list, the keyword is called as its option.
+std::string key_of(const std::string& name) {
+    const std::size_t row = option_table().row(name);
+    const experiment::Option& option = option_table().options[row];
+    return option.is_once ? option.flag.substr(2)
+                          : experiment::place_of(option_table().param(row)).key;
 }
 
 /// The texts of an option and how messages call it: as the command line does, where it has it.
@@ -101,7 +121,7 @@ std::vector<core::GivenText> given_texts(std::size_t row, const py::handle& valu
     const std::string where =
         flag.empty() ? experiment::place_of(param).key : flag.substr(0, flag.find(','));
     const bool is_path = param.name == "grid.scenes" || param.name == "grid.presets" ||
-                         param.name == "grid.entrants";
+                         param.name == "grid.entrants" || param.name == "views.objects";
     std::vector<core::GivenText> given;
     for (const std::string& text : texts_of(value)) {
         const bool is_list = param.kind == core::ParamKind::list && !is_path;
@@ -129,38 +149,59 @@ void add_settings(const std::string& prefix,
     }
 }
 
-std::vector<std::string> names_of(const Keywords& keywords) {
-    std::vector<std::string> names;
-    for (const std::string& row : keywords.rows)
-        names.push_back(key_of(row));
-    for (const ViewKeyword& keyword : kViewKeywords)
-        names.emplace_back(keyword.name);
-    if (keywords.has_settings) names.emplace_back("settings");
-    return names;
+std::vector<std::string> rows_of(const Keywords& keywords) {
+    std::vector<std::string> rows = keywords.rows;
+    rows.insert(rows.end(), kOfViews.begin(), kOfViews.end());
+    return rows;
 }
 
-/// The request for these cameras, or without any as the options have it.
-harness::ViewRequest request_of(const std::vector<Camera>& cameras,
-                                bool has_size,
-                                const ViewOptions& options) {
-    if (cameras.empty()) return view_request(options);
-    if (options.up)
-        throw core::Error("up", "each Camera has its own", "up for views by name, without cameras");
-    harness::ViewRequest all;
-    for (const Camera& camera : cameras) {
-        ViewOptions with_camera = options;
-        camera.put_into(with_camera);
-        harness::ViewRequest one = view_request(with_camera);
-        const bool is_other_size = one.width_px != all.width_px || one.height_px != all.height_px;
-        if (has_size || (!all.cameras.empty() && is_other_size)) {
-            throw core::Error("--size",
-                              has_size ? "the camera has one" : "the cameras have several",
-                              "one size, as Camera(..., size=(WIDTH, HEIGHT))");
-        }
-        one.cameras.insert(one.cameras.begin(), all.cameras.begin(), all.cameras.end());
-        all = std::move(one);
+/// The row of a keyword. Throws core::Error for another.
+std::size_t row_of(const Keywords& keywords, const std::string& key) {
+    std::vector<std::string> known;
+    for (const std::string& name : rows_of(keywords)) {
+        known.push_back(key_of(name));
+        if (known.back() == key) return option_table().row(name);
     }
-    return all;
+    if (keywords.has_settings) known.emplace_back("settings");
+    throw core::Error(key, "there is no such keyword", core::known_names(known, key));
+}
+
+/// Asks for these cameras, if there are any, in images of their size.
+void ask_cameras(const std::vector<Camera>& cameras, const py::dict& given, Asked& asked) {
+    if (cameras.empty()) return;
+    if (given.contains("up"))
+        throw core::Error("up", "each Camera has its own", "up for views by name, without cameras");
+    const experiment::ImageSize size = cameras.front().size_px;
+    const bool is_one_size = std::ranges::all_of(cameras, [&](const Camera& camera) {
+        return camera.size_px.width_px == size.width_px &&
+               camera.size_px.height_px == size.height_px;
+    });
+    if (given.contains("size") || !is_one_size) {
+        throw core::Error("--size",
+                          is_one_size ? "the camera has one" : "the cameras have several",
+                          "one size, as Camera(..., size=(WIDTH, HEIGHT))");
+    }
+    asked.experiment.sizes = {size};
+    for (const Camera& camera : cameras)
+        asked.experiment.view_request.cameras.push_back(camera.request);
+}
+
+/// Cameras, one or several; the name of a view is put into `name`.
+std::vector<Camera> cameras_of(const py::handle& view, std::string& name) {
+    if (py::isinstance<Camera>(view)) return {view.cast<Camera>()};
+    std::vector<Camera> cameras;
+    if (!py::isinstance<py::list>(view) && !py::isinstance<py::tuple>(view)) {
+        name = text_of(view);
+        return cameras;
+    }
+    for (const py::handle each : view) {
+        if (!py::isinstance<Camera>(each)) {
+            throw core::Error(
+                "cameras", fmt::format("'{}' is no Camera", text_of(each)), "Camera(eye, ...)");
+        }
+        cameras.push_back(each.cast<Camera>());
+    }
+    return cameras;
 }
 
 }  // namespace
@@ -170,17 +211,31 @@ std::string text_of(const py::handle& value) {
     return text == "True" ? "true" : text == "False" ? "false" : text;
 }
 
-void Camera::put_into(ViewOptions& options) const {
-    options.size = joined(size, "x");
-    options.eyes = {joined(eye, ",")};
-    options.targets.clear();
-    if (!target.is_none()) options.targets = {joined(target, ",")};
-    options.up = joined(up, ",");
+Camera::Camera(py::object eye_given,
+               py::object target_given,
+               py::object up_given,
+               py::object fov_given,
+               py::object size_given,
+               py::object height_given)
+    : eye(std::move(eye_given)),
+      target(std::move(target_given)),
+      up(std::move(up_given)),
+      fov_deg(std::move(fov_given)),
+      parallel_height(std::move(height_given)),
+      size(std::move(size_given)),
+      size_px(size_of(size)) {
+    request.eye_world = point_of(eye, {joined(eye, ","), "--eye"});
+    if (!target.is_none())
+        request.target_world = point_of(target, {joined(target, ","), "--target"});
+    const core::GivenText up_text{joined(up, ","), "--up"};
+    request.up_world = numbers_of(up).empty()
+                           ? experiment::parse_direction(up_text)
+                           : experiment::checked_direction(point_of(up, up_text), up_text);
     if (parallel_height.is_none()) {
-        options.fov_deg = number_of<double>(fov_deg, "--fov", "1..170");
+        request.fov_y_rad = glm::radians(number_of(fov_deg, "--fov", "1..170"));
     } else {
-        options.parallel_height =
-            number_of<double>(parallel_height, "--parallel", "a length above 0");
+        request.height_world = experiment::checked_height(
+            number_of(parallel_height, "--parallel", "a length above 0"));
     }
 }
 
@@ -202,72 +257,41 @@ std::string Keywords::text() const {
             "\n\nsettings = {}: Parameters of methods and their values, of any type; of one method "
             "alone as {method: {parameter: value}}.";
     }
+    std::vector<std::string> of_views;
+    for (const char* name : kOfViews)
+        of_views.push_back(key_of(name));
     return text + fmt::format("\n\n{}: as the program's options of views (inkbench draw --help).\n",
-                              fmt::join(core::names_of(kViewKeywords), ", "));
+                              fmt::join(of_views, ", "));
 }
 
 Asked read_asked(const Keywords& keywords, const py::handle& view, const py::dict& given) {
     Asked asked{keywords.usual};
-    ViewOptions options;
+    ask_cameras(cameras_of(view, asked.view), given, asked);
+    std::map<std::size_t, py::handle> by_row;  // they are set in the order of the table
     for (const auto& [name, value] : given) {
         const std::string key = text_of(name);
         if (value.is_none()) continue;
-        if (const ViewKeyword* of_view = core::find_named(kViewKeywords, key)) {
-            of_view->set(options, value);
-            continue;
-        }
         if (keywords.has_settings && key == "settings") {
             add_settings("", value, asked.experiment.settings);
-            continue;
+        } else {
+            by_row[row_of(keywords, key)] = value;
         }
-        const auto row = std::find_if(keywords.rows.begin(),
-                                      keywords.rows.end(),
-                                      [&](const std::string& each) { return key_of(each) == key; });
-        if (row == keywords.rows.end()) {
-            throw core::Error(
-                key, "there is no such keyword", core::known_names(names_of(keywords), key));
-        }
-        const std::size_t i = option_table().row(*row);
-        option_table().rows.set(asked.experiment, i, given_texts(i, value), "it");
     }
-    std::vector<Camera> cameras;
-    if (py::isinstance<py::list>(view) || py::isinstance<py::tuple>(view)) {
-        for (const py::handle each : view) {
-            if (!py::isinstance<Camera>(each)) {
-                throw core::Error(
-                    "cameras", fmt::format("'{}' is no Camera", text_of(each)), "Camera(eye, ...)");
-            }
-            cameras.push_back(each.cast<Camera>());
+    for (const auto& [row, value] : by_row) {
+        if (option_table().param(row).name == "grid.sizes") {
+            asked.experiment.sizes = {size_of(value)};
+        } else {
+            option_table().rows.set(asked.experiment, row, given_texts(row, value), "it");
         }
-    } else if (py::isinstance<Camera>(view)) {
-        cameras.push_back(view.cast<Camera>());
-    } else {
-        asked.view = text_of(view);
     }
-    asked.views = request_of(cameras, given.contains("size"), options);
-    asked.views.limits.child = model_reader();
+    experiment::settle_views(asked.experiment.view_request);
+    asked.experiment.view_request.limits.child = model_reader();
     return asked;
 }
 
 void add_camera(py::module_& module) {
     py::class_<Camera>(module, "Camera", "A camera that is set by hand, and the size of its image.")
-        .def(py::init([](py::object eye,
-                         py::object target,
-                         py::object up,
-                         py::object fov_deg,
-                         py::object size,
-                         py::object parallel_height) {
-                 Camera camera{std::move(eye),
-                               std::move(target),
-                               std::move(up),
-                               std::move(fov_deg),
-                               std::move(parallel_height),
-                               std::move(size)};
-                 ViewOptions options;
-                 camera.put_into(options);
-                 (void)view_request(options);
-                 return camera;
-             }),
+        .def(py::init<py::object, py::object, py::object, py::object, py::object, py::object>(),
              "Points are in the coordinates of the model's file; without a target it looks at the "
              "scene's centre. fov_deg is vertical, size width and height in px. With "
              "parallel_height it is a "

@@ -6,22 +6,28 @@
 #include <vector>
 
 #include "experiment/experiment.h"
-#include "experiment/view_options.h"
 
 namespace ink::python {
 
 /// A camera that is set by hand, and the size of its image: --eye, --target, --up, --fov,
 /// --parallel and --size of the program, as Python has them.
 struct Camera {
+    /// Throws core::Error for what the program would refuse.
+    Camera(pybind11::object eye_given,
+           pybind11::object target_given,
+           pybind11::object up_given,
+           pybind11::object fov_given,
+           pybind11::object size_given,
+           pybind11::object height_given);
+
     pybind11::object eye;
     pybind11::object target;
     pybind11::object up;
     pybind11::object fov_deg;
     pybind11::object parallel_height;
     pybind11::object size;
-
-    /// Throws core::Error for text that the program would refuse.
-    void put_into(experiment::ViewOptions& options) const;
+    harness::CameraRequest request = {};  ///< what these mean
+    experiment::ImageSize size_px;
 };
 
 /// Which keywords a function takes beside those of views, and what it has without them.
@@ -36,9 +42,11 @@ struct Keywords {
 
 /// What a function is asked, as the options of the program that it means.
 struct Asked {
-    experiment::Experiment experiment;  ///< `settings` too
-    harness::ViewRequest views = {};  ///< with the model reader that is installed with this module
-    std::string view = {};            ///< the name of one, or ""
+    /// `settings` and views too, with the model reader that is installed with this module.
+    experiment::Experiment experiment;
+    std::string view = {};  ///< the name of one, or ""
+
+    [[nodiscard]] harness::ViewRequest views() const { return views_of(experiment); }
 };
 
 /// A value as the program's text for it: True is "true".

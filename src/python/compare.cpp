@@ -143,7 +143,7 @@ const Keywords& compare_keywords() {
                             true};
         of_compare.usual.where = of_compare.usual.name = "compare";
         of_compare.usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;  // as the command
-        of_compare.usual.images = experiment::KeptImages::none;
+        of_compare.usual.compare.images = experiment::KeptImages::none;
         return of_compare;
     }();
     return keywords;
@@ -162,8 +162,6 @@ py::list compare(const py::object& scenes,
                           "a Camera, or a list of them; without any all views of the scenes");
     }
     experiment::Experiment& experiment = asked.experiment;
-    experiment.view_request = asked.views;
-    experiment.sizes = {{asked.views.width_px, asked.views.height_px}};
     const auto thrown = std::make_shared<std::exception_ptr>();
     const double crease_rad = experiment::trace_of(experiment, {}).truth.crease_rad;
     for (const auto& [name, function] : functions) {
@@ -174,7 +172,7 @@ py::list compare(const py::object& scenes,
         }
         const auto shared =
             std::make_shared<const py::function>(py::reinterpret_borrow<py::function>(function));
-        experiment.own_methods.push_back(
+        experiment.compare.own_methods.push_back(
             function_config(text_of(name), shared, crease_rad, thrown));
     }
     std::vector<method::MethodConfig> configs = experiment::configs_of(experiment);

@@ -94,7 +94,7 @@ TruthArrays truth(const py::object& scene, const py::object& view, const py::kwa
     options.truth.threads = asked.experiment.threads.front();
     auto traced = [&] {
         const py::gil_scoped_release others_run;
-        const auto of = harness::load_one_view(name, asked.view, asked.views);
+        const auto of = harness::load_one_view(name, asked.view, asked.views());
         truth::SceneModel model(of.scene, options.truth);
         return harness::trace_view(model, of.views.front(), options);
     }();
@@ -116,8 +116,8 @@ auto drawn_by(const py::object& method,
     if (configs.size() != 1) throw core::Error("--method", "an image is of one", "one name");
     draw::DrawOptions options;
     options.threads = asked.experiment.threads.front();
-    options.skips = harness::without_skips({}, asked.experiment.skips_off);
-    return use(harness::load_one_view(name, asked.view, asked.views), configs.front(), options);
+    options.skips = harness::without_skips({}, asked.experiment.compare.skips_off);
+    return use(harness::load_one_view(name, asked.view, asked.views()), configs.front(), options);
 }
 
 py::array draw(const py::object& method,
@@ -144,7 +144,7 @@ BufferArrays buffers(const py::object& scene, const py::object& view, const py::
     std::string json;
     auto drawn = [&] {
         const py::gil_scoped_release others_run;
-        const auto of = harness::load_one_view(name, asked.view, asked.views);
+        const auto of = harness::load_one_view(name, asked.view, asked.views());
         json = entrants::view_json(of.scene, of.views.front(), {});
         return entrants::view_buffers(of.scene, of.views.front(), crease_rad);
     }();

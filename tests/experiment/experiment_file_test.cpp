@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <glm/trigonometric.hpp>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "experiment/asked.h"
 #include "experiment/experiment.h"
 #include "experiment/experiment_plan.h"
@@ -64,7 +66,7 @@ fatten = [true, false]
     EXPECT_EQ(e.name, "e");
     EXPECT_EQ(e.seed, 7U);
     EXPECT_THAT(e.scenes, ElementsAre("cube", "torus"));
-    EXPECT_EQ(e.views, 2);
+    EXPECT_EQ(e.compare.views, 2);
     EXPECT_THAT(e.methods, ElementsAre("mote4", "ids"));
     ASSERT_EQ(e.sizes.size(), 2U);
     EXPECT_EQ(e.sizes[1].width_px, 128);
@@ -72,15 +74,15 @@ fatten = [true, false]
     EXPECT_THAT(e.threads, ElementsAre(1, 2));
     EXPECT_EQ(e.repetitions, 4);
     EXPECT_DOUBLE_EQ(e.budget_ms, 10);
-    EXPECT_EQ(e.entrant_s, 90);
-    EXPECT_EQ(e.answer, (summary::AnswerRule{0.02, 3}));
-    EXPECT_FALSE(e.full_scores || e.crosscheck || e.times);
+    EXPECT_EQ(e.compare.entrant_s, 90);
+    EXPECT_EQ(e.compare.answer, (summary::AnswerRule{0.02, 3}));
+    EXPECT_FALSE(e.compare.full_scores || e.crosscheck || e.times);
     EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
     EXPECT_EQ(e.crease_deg, 50);
     EXPECT_EQ(e.intersections, score::Intersections::all);
-    EXPECT_EQ(e.own_sweep_views, 1);
-    ASSERT_EQ(e.grids.size(), 1U);
-    EXPECT_EQ(grid_configs(configs_of(e).front(), e.grids.front()).size(), 4U);
+    EXPECT_EQ(e.compare.own_sweep_views, 1);
+    ASSERT_EQ(e.compare.grids.size(), 1U);
+    EXPECT_EQ(grid_configs(configs_of(e).front(), e.compare.grids.front()).size(), 4U);
     const auto configs = configs_of(e);
     EXPECT_EQ(configs[0].settings.at("packing"), "pixel");
     EXPECT_EQ(configs[1].settings.at("crease_deg"), "30");
@@ -146,9 +148,9 @@ TEST(ExperimentFile, CommandLineReplacesSizeScenesMethodsAndViews) {
     EXPECT_EQ(e.sizes.front().width_px, 80);
     EXPECT_THAT(e.scenes, ElementsAre("cube"));
     EXPECT_THAT(e.methods, ElementsAre("ids"));
-    ASSERT_EQ(e.grids.size(), 1U);
-    EXPECT_EQ(e.grids.front().method, "ids");
-    EXPECT_EQ(e.views, 1);
+    ASSERT_EQ(e.compare.grids.size(), 1U);
+    EXPECT_EQ(e.compare.grids.front().method, "ids");
+    EXPECT_EQ(e.compare.views, 1);
     EXPECT_EQ(configs_of(e).size(), 1U);
     EXPECT_THROW(set_option(e, "grid.sizes", {{"80", "--size"}}), core::Error);
     EXPECT_THROW(set_option(e, "grid.axes", {{"origin", "--axes"}}), core::Error)
@@ -159,12 +161,12 @@ TEST(ExperimentFile, EachAntialiasIsAMethodOfItsOwn) {
     const Experiment e =
         parse(std::string(kHead) +
               "[grid]\nantialias = [\"none\", \"resolve16\"]\n[measure]\ncoverage = true\n");
-    EXPECT_TRUE(e.coverage);
+    EXPECT_TRUE(e.compare.coverage);
     std::vector<std::string> names;
     for (const method::MethodConfig& config : configs_of(e))
         names.push_back(config.info->name);
     Experiment plain = e;
-    plain.antialias = {methods::Antialias::none};
+    plain.compare.antialias = {methods::Antialias::none};
     const std::size_t half = configs_of(plain).size();
     ASSERT_EQ(names.size(), 2 * half);
     for (std::size_t i = 0; i < half; ++i)
@@ -187,6 +189,10 @@ std::string some_value(const core::Param& param) {
     if (param.name == "grid.methods" || param.name == "search.against") return "ids";
     if (param.name == "grid.entrants") return "mine=/tmp";
     if (param.name == "grid.model_list") return INK_SOURCE_DIR "/experiments/models.toml";
+    if (param.name == "views.up") return "z";
+    if (param.name == "views.fit") return "box";
+    if (param.name == "views.directions") return "top";
+    if (param.is_number() && std::isinf(param.min)) return "0.5";
     if (param.kind == core::ParamKind::list)
         return param.choices.empty() ? "a" : param.choices.front();
     if (param.kind == core::ParamKind::flag) return "true";
@@ -205,6 +211,7 @@ TEST(OptionTable, HoldsAndRecordsWhatEveryOptionIsGiven) {
             Experiment e;
             e.kind = kind;
             e.sizes = {{640, 360}};
+            e.view_request.directions = {scene::drawing_views().front()};  // in which is an up
             if (!table.has_kind(row, kind)) continue;
             set_option(e, param.name, {{some_value(param), "here"}});
             EXPECT_THAT(table.rows.get(e, row), ElementsAre(some_value(param))) << param.name;
@@ -214,6 +221,47 @@ TEST(OptionTable, HoldsAndRecordsWhatEveryOptionIsGiven) {
         }
         EXPECT_FALSE(param.doc.empty()) << param.name;
     }
+}
+
+TEST(ExperimentFile, AsksForCamerasAndOptionsOfViews) {
+    const auto of = [](const std::string& more) {
+        return parse(std::string(kHead) + "[views]\n" + more).view_request;
+    };
+    const harness::ViewRequest own =
+        of("cameras = [{eye = [3, 2, 5], target = [0.1, 0, 0], up = [0, 0, 1], fov_deg = 30},\n"
+           "{eye = [1, 2, 6], parallel_height = 2.5}]\ntime_s = 0.25\n");
+    ASSERT_EQ(own.cameras.size(), 2U);
+    EXPECT_EQ(own.cameras[0].target_world, glm::dvec3(0.1, 0, 0));
+    EXPECT_EQ(own.cameras[0].fov_y_rad, glm::radians(30.0));
+    EXPECT_EQ(own.cameras[0].up_world, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(own.cameras[1].height_world, 2.5);
+    EXPECT_EQ(own.cameras[1].target_world, std::nullopt);
+    EXPECT_EQ(own.time_s, 0.25);
+    const harness::ViewRequest named =
+        of("directions = [\"top\", \"iso\"]\nup = \"z\"\nfit = \"box\"\nmargin = 0\n");
+    EXPECT_EQ(core::names_of(named.directions), (std::vector<std::string>{"top", "iso"}));
+    EXPECT_EQ(named.up, harness::UpAxis::z);
+    EXPECT_EQ(named.fit, harness::Fit::box);
+    EXPECT_EQ(named.margin, 0);
+    EXPECT_EQ(of("orbit = 3\n").orbit_count, 3);
+    EXPECT_TRUE(of("file_cameras = true\n").file_cameras);
+    EXPECT_EQ(of("parallel_height = 3\n").projections,
+              std::vector{scene::ProjectionKind::parallel});
+    for (const auto& [wrong, part] :
+         {std::pair{"margin = 0.1", "no --fit box"},
+          {"margin = 0.5", "0..0.45"},
+          {"up = \"z\"", "no view by name"},
+          {"time_s = 1\nframe = 2", "one of the two"},
+          {"fit = \"box\"\norbit = 1\nframe = 1.5", "views.frame"},
+          {"cameras = [{target = [0, 0, 0]}]", "has no eye"},
+          {"cameras = [{eye = [0, 0]}]", "[X, Y, Z]"},
+          {"cameras = [{eye = [1, 0, 0], fov = 1}]", "fov_deg"},
+          {"cameras = [{eye = [1, 0, 0], parallel_height = 0}]", "above 0"}}) {
+        const std::string error = error_of(std::string(kHead) + "[views]\n" + wrong);
+        EXPECT_THAT(error, testing::AllOf(testing::StartsWith("e.toml:"), HasSubstr(part)));
+    }
+    EXPECT_THAT(error_of("name = \"e\"\nkind = \"stress\"\n[views]\ncameras = []\n"),
+                HasSubstr("no key views.cameras"));
 }
 
 TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {

@@ -23,8 +23,8 @@ Experiment small_comparison(bool times) {
     experiment.methods = {"mote4", "ids", "decaudin"};
     experiment.scenes = {"cube", "torus", "gear", "tiles"};
     experiment.sizes = {{160, 90}};
-    experiment.views = 2;
-    experiment.own_sweep_views = 1;
+    experiment.compare.views = 2;
+    experiment.compare.own_sweep_views = 1;
     experiment.repetitions = 2;
     experiment.times = times;
     return experiment;
@@ -62,7 +62,7 @@ TEST_F(Lanes, WriteTheSameBytesWithoutTimes) {
 TEST_F(Lanes, ShareAScene) {
     Experiment experiment = small_comparison(false);
     experiment.scenes = {"gear"};
-    experiment.views = 3;
+    experiment.compare.views = 3;
     expect_same_bytes(experiment);
 }
 

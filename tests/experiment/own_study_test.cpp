@@ -46,7 +46,7 @@ TEST(OwnStudy, RunsShardsAndStandsOnThePageAndInTheFigures) {
     experiment.name = "boxes";
     experiment.methods = {"mote4", "ids"};
     experiment.sizes = {{96, 54}};
-    experiment.own_axes = {axis};
+    experiment.stress.own_axes = {axis};
     const Plan plan = make_plan(experiment, {});
     const core::TempFolder folder;
     (void)run_experiment(plan, {.out = folder / "whole"});

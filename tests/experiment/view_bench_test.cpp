@@ -12,7 +12,7 @@ Experiment one_cube(std::vector<std::string> methods) {
     experiment.methods = std::move(methods);
     experiment.scenes = {"cube"};
     experiment.sizes = {{160, 90}};
-    experiment.views = 1;
+    experiment.compare.views = 1;
     experiment.times = false;
     return experiment;
 }

@@ -43,14 +43,15 @@ void check_experiment(const experiment::Experiment& e) {
         harness::check_size(size.width_px, size.height_px);
     for (const int threads : e.threads)
         expect(is_in(threads, 1, 256), "threads are in range");
-    expect(is_in(e.views, 0, 360) && is_in(e.points, 0, 1000) && is_in(e.frames, 2, 10000) &&
-               is_in(e.repetitions, 1, 10000) && is_in(e.own_sweep_views, 0, 360),
+    expect(is_in(e.compare.views, 0, 360) && is_in(e.stress.points, 0, 1000) &&
+               is_in(e.animation.frames, 2, 10000) && is_in(e.repetitions, 1, 10000) &&
+               is_in(e.compare.own_sweep_views, 0, 360),
            "counts are in range");
     expect(e.crease_deg >= 0 && e.crease_deg <= 180 && e.budget_ms >= 0, "numbers are in range");
-    if (!e.entrants.empty()) return;  // a configuration of an entrant reads all its files
+    if (!e.compare.entrants.empty()) return;  // a configuration of an entrant reads all its files
     const auto configs = experiment::configs_of(e);
     expect(configs.size() == e.methods.size(), "a method is a configuration");
-    for (const experiment::SettingGrid& grid : e.grids) {
+    for (const experiment::SettingGrid& grid : e.compare.grids) {
         std::size_t combinations = 1;
         for (const auto& [key, values] : grid.axes)
             combinations *= std::min<std::size_t>(values.size(), 100);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <random>
 #include <set>
 
@@ -68,6 +69,58 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
         EXPECT_EQ(row.at("draw_ns") + row.at("draw_n"), "");
     }
     EXPECT_THAT(desk.run({"run", "tiny.toml"}).err, HasSubstr("all 96 cells are done"));
+}
+
+constexpr const char* kOwnCameras = R"(name = "cameras"
+kind = "compare"
+[grid]
+scenes = ["gear"]
+methods = ["ids", "mote4"]
+sizes = ["96x54"]
+[measure]
+times = false
+[views]
+cameras = [{eye = [3, 2, 5], target = [0.1, 0, 0], up = [0, 1, 0.5], fov_deg = 35},
+           {eye = [1, 2, 6], parallel_height = 2.5}]
+time_s = 0.25
+[settings]
+mote4.fatten = true
+)";
+
+/// Every file of a folder but the page, which names the folder, and run.toml, which has the
+/// command and how long it took.
+std::map<std::string, std::string> results_in(const Desk& desk, const std::string& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(desk.work() / folder)) {
+        const std::string name = entry.path().lexically_relative(desk.work() / folder);
+        if (entry.is_regular_file() && name != "report.html" && name != "run.toml")
+            files[name] = desk.read(folder + "/" + name);
+    }
+    return files;
+}
+
+TEST(Run, FromWhatRunTomlRecordsGivesTheSameBytes) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    desk.write("cameras.toml", kOwnCameras);
+    const Words small = " --methods ids --size 64x36 --no-times ";
+    const std::vector<Words> commands = {
+        "run cameras.toml",
+        "run tiny.toml --scenes cube --size 64x36",
+        "compare cube --no-sweep --eye 1,2,6 --parallel 3 --antialias resolve4 --set threshold=90" +
+            small,
+        "compare cube --no-sweep --views front,iso --fit box --margin 0.1" + small,
+        "stress --axes origin --points 2" + small,
+        "stress --hardest ids --scenes cube --evaluations 3 --worst 1" + small};
+    for (const Words& command : commands) {
+        SCOPED_TRACE(testing::PrintToString(command));
+        expect_done(desk, command + "--force --out first");
+        expect_done(desk, "run first/run.toml --force --out again");
+        const auto first = results_in(desk, "first");
+        EXPECT_EQ(first, results_in(desk, "again"));
+        EXPECT_GT(first.size(), 4U);
+        EXPECT_TRUE(first.contains("rows.csv"));
+    }
 }
 
 TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {

@@ -18,6 +18,7 @@
 #include "draw/error_image.h"
 #include "draw/image_output.h"
 #include "experiment/experiment_run.h"
+#include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "harness/clock/timing.h"
 #include "harness/images/view_images.h"
@@ -45,10 +46,10 @@ struct AdviseArgs : MeasureArgs {
     AdviseArgs() : MeasureArgs("advise", "") {
         experiment::Experiment& usual = options.usual();
         usual.crosscheck = false;
-        usual.full_scores = false;
+        usual.compare.full_scores = false;
         usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
         // Half of what compare allows: views that are not measured take the other half.
-        usual.answer.f_margin = summary::AnswerRule{}.f_margin / 2;
+        usual.compare.answer.f_margin = summary::AnswerRule{}.f_margin / 2;
     }
 
     std::string have = "mesh";
@@ -190,12 +191,12 @@ Json as_json(const Advice& advice) {
 }
 
 /// What is right and wrong of the method, in colour, on the first view that has a score.
-void write_picture(const ViewOptions& views, const fs::path& cache, const Advice& advice) {
+void write_picture(const fs::path& cache, const Advice& advice) {
     const auto row = std::ranges::find_if(advice.rows, [&](const harness::Row& r) {
         return r.method == advice.answer.method->method && r.is_scored();
     });
     const TracedView traced(
-        harness::load_one_view(advice.asked.scenes[0], row->view, view_request(views)),
+        harness::load_one_view(advice.asked.scenes[0], row->view, views_of(advice.asked)),
         trace_of(advice.asked, cache));
     const method::MethodConfig config = advice.config();
     const draw::Drawing drawing = draw::make_drawing(traced.scene_views, config, {});
@@ -240,7 +241,7 @@ void run_advise(AdviseArgs& args, const CLI::App& command) {
     advice.is_crowded = summary::is_all_unscored(advice.rows) &&
                         std::ranges::none_of(unscored, summary::is_failure);
     if (advice.is_crowded) count_crowded(advice.rows);
-    advice.comparison = {advice.asked.answer, summary::summarise(advice.rows)};
+    advice.comparison = {advice.asked.compare.answer, summary::summarise(advice.rows)};
     advice.answer = advice.comparison.answer();
     if (advice.answer.method == nullptr) {
         fmt::print(
@@ -254,7 +255,7 @@ void run_advise(AdviseArgs& args, const CLI::App& command) {
     if (args.picture.empty()) fs::create_directories(kFolder);
     advice.picture = args.picture.empty() ? own + ".png" : args.picture;
     advice.next = next_command(command, advice.answer, own);
-    write_picture(args.views, cache, advice);
+    write_picture(cache, advice);
     fmt::print("{}", args.json ? as_json(advice).dump(2) + "\n" : as_text(advice));
     const std::string busy = harness::uncertain_times(advice.rows);
     if (!busy.empty()) fmt::print(stderr, "inkbench: {}\n", busy);
@@ -274,7 +275,7 @@ void add_advise_command(CLI::App& app) {
         ->type_name("mesh|depth,normals")
         ->capture_default_str();
     args->options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
-    add_view_options(*command, args->views);
+    args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
     command
         ->add_option("-o,--out",

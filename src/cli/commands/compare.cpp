@@ -7,13 +7,14 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
+#include "experiment/options/view_rows.h"
 #include "harness/cells/cell.h"
 
 namespace ink::cli {
 namespace {
 
 /// What `--quick` asks for: a first look in seconds.
-constexpr const char* kQuickSize = "640x360";
+constexpr experiment::ImageSize kQuickSize{640, 360};
 constexpr int kQuickRepetitions = 9;
 
 /// What `--demo` compares unless told otherwise: each kind of line and difficulty once, and of each
@@ -28,7 +29,7 @@ constexpr const char* kDemoOut = "inkbench-out/demo";
 struct CompareArgs : MeasureArgs {
     CompareArgs() : MeasureArgs("compare", "inkbench-out") {
         options.usual().budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
-        options.usual().own_sweep_views = 1;
+        options.usual().compare.own_sweep_views = 1;
     }
 
     bool no_sweep = false;
@@ -36,8 +37,8 @@ struct CompareArgs : MeasureArgs {
     bool demo = false;
 };
 
-void apply_quick(CompareArgs& args, const CLI::App& command) {
-    if (command.count("--size") == 0) args.views.size = kQuickSize;
+void apply_quick(CompareArgs& args) {
+    args.options.usual().sizes = {kQuickSize};
     args.options.usual().repetitions = kQuickRepetitions;
     args.no_sweep = true;
     args.options.usual().crosscheck = args.demo;
@@ -53,8 +54,8 @@ void apply_demo(CompareArgs& args, const CLI::App& command) {
 experiment::Experiment experiment_of(const CompareArgs& args) {
     experiment::Experiment experiment = args.read();
     if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
-    if (args.quick && args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
-    if (args.no_sweep) experiment.own_sweep_views = 0;
+    if (args.quick && !args.options.has_views()) experiment.compare.views = 1;
+    if (args.no_sweep) experiment.compare.own_sweep_views = 0;
     return experiment;
 }
 
@@ -72,7 +73,7 @@ void add_compare_command(CLI::App& app) {
     ExperimentOptions& options = args->options;
     options.add_to(*command,
                    {"grid.model_list", "grid.presets", "grid.entrants", "measure.entrant_seconds"});
-    add_view_options(*command, args->views);
+    options.add_to(*command, experiment::view_rows());
     add_run_folder_options(*command, args->folder);
     command->add_flag("--quick",
                       args->quick,
@@ -105,7 +106,7 @@ void add_compare_command(CLI::App& app) {
         std::string(kUnscoredCode) + ", 130 interrupted.");
     command->callback([args, command] {
         if (args->demo) apply_demo(*args, *command);
-        if (args->quick) apply_quick(*args, *command);
+        if (args->quick) apply_quick(*args);
         run_to_end(*command, experiment_of(*args), args->folder, args->cache);
     });
 }

@@ -13,6 +13,7 @@
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"
 #include "draw/image_output.h"
+#include "experiment/options/view_rows.h"
 #include "harness/cells/skip_switches.h"
 #include "methods/method_configs.h"
 
@@ -25,7 +26,6 @@ struct DrawArgs {
     std::string view;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    ViewOptions views;
     LookOptions looks;
     std::string file;
     bool edge_response = false;
@@ -75,8 +75,8 @@ void write_layer(const DrawArgs& args,
 void run_draw(const DrawArgs& args) {
     const experiment::Experiment asked = args.options.read();
     draw::DrawOptions options = drawing_looks(args.looks);
-    const method::MethodConfig config = config_of(args, asked.presets);
-    options.skips = harness::without_skips({}, asked.skips_off);
+    const method::MethodConfig config = config_of(args, asked.compare.presets);
+    options.skips = harness::without_skips({}, asked.compare.skips_off);
     options.threads = asked.threads.front();
     check_output_path(args.file, {".png", ".exr"});
     const std::filesystem::path path = args.file;
@@ -88,7 +88,7 @@ void run_draw(const DrawArgs& args) {
         refuse_with_layer(args.looks != LookOptions{}, "no option of the drawing's looks");
     }
     const harness::SceneViews scene_views =
-        harness::load_one_view(one_scene(args.scene, "draw"), args.view, view_request(args.views));
+        harness::load_one_view(one_scene(args.scene, "draw"), args.view, views_of(asked));
     print_notes(scene_views);
     if (!args.layer.empty()) return write_layer(args, scene_views, config, options);
     const draw::Drawing drawing = draw::make_drawing(scene_views, config, options);
@@ -122,7 +122,7 @@ void add_draw_command(CLI::App& app) {
                          "file, instead of --method");
     command->add_option("--view", args->view, "Name of the view (default: the first)")
         ->type_name("NAME");
-    add_view_options(*command, args->views);
+    args->options.add_to(*command, experiment::view_rows());
     add_look_options(*command, args->looks);
     command->add_flag(
         "--response,--strength",

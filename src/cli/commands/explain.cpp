@@ -6,11 +6,11 @@
 
 #include "cli/commands/commands.h"
 #include "cli/json_values.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
-#include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
-#include "core/error.h"
+#include "experiment/options/view_rows.h"
 #include "inspect/explain.h"
 #include "methods/method_configs.h"
 
@@ -24,8 +24,7 @@ struct ExplainArgs {
     std::string view;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    ViewOptions views;
-    double crease_deg = 40;
+    ExperimentOptions options;
     bool json = false;
 };
 
@@ -69,19 +68,15 @@ Json json_of(const inspect::Explanation& explanation) {
 
 void run_explain(const ExplainArgs& args) {
     auto configs = methods::make_configs(method_list(args.methods), args.settings);
-    if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
-        throw core::Error("--crease",
-                          fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
-                          "0..180");
-    }
-    methods::follow_crease(args.crease_deg, configs);
-    const harness::ViewRequest request = view_request(args.views);
+    const experiment::Experiment asked = args.options.read();
+    methods::follow_crease(asked.crease_deg, configs);
+    const harness::ViewRequest request = views_of(asked);
     const std::string scene = one_scene(args.scene, "explain");
     const harness::SceneViews scene_views = args.view.empty()
                                                 ? harness::load_scenes({scene}, request).front()
                                                 : harness::load_one_view(scene, args.view, request);
     const inspect::Explanation explanation =
-        inspect::explain(scene_views, configs, args.crease_deg);
+        inspect::explain(scene_views, configs, asked.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);
         json["place"] = as_json(place_of(scene_views));
@@ -102,13 +97,10 @@ void add_explain_command(CLI::App& app) {
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     command->add_option("--view", args->view, "Name of a view (default: all)")->type_name("NAME");
-    add_view_options(*command, args->views);
-    command
-        ->add_option("--crease",
-                     args->crease_deg,
-                     "Crease angle of the scene statistics, and of methods that use the same")
-        ->type_name("DEGREES")
-        ->capture_default_str();
+    args->options.add_to(*command, experiment::view_rows());
+    args->options.add_to(*command,
+                         {"measure.crease_deg"},
+                         "Crease angle of the scene statistics, and of methods that use the same");
     command->add_flag("--json", args->json, "Print JSON instead of text");
     command->footer(
         "Example: inkbench explain torus --methods mote4,auto\n"

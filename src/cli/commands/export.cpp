@@ -13,6 +13,7 @@
 #include "draw/exr_layers.h"
 #include "entrants/view_files.h"
 #include "experiment/experiment_plan.h"
+#include "experiment/options/view_rows.h"
 #include "harness/images/out_folder.h"
 #include "harness/images/view_images.h"
 #include "harness/truths/tracing.h"
@@ -24,10 +25,9 @@ namespace fs = std::filesystem;
 
 struct ExportArgs {
     SceneOptions scenes;
-    ViewOptions views;
     std::string out;
     std::string truth = "train";
-    ExperimentOptions options;  ///< of the truth
+    ExperimentOptions options;  ///< of views and the truth
     CacheOptions cache;
 };
 
@@ -84,9 +84,9 @@ void run_export(const ExportArgs& args) {
     }
     std::vector<std::string> names = scene_names(args.scenes);
     if (names.empty()) throw core::Error("export", "no scene is named", "scenes or model files");
-    const harness::TraceOptions trace =
-        experiment::trace_of(args.options.read(), cache_folder(args.cache));
-    const auto scenes = harness::load_scenes(names, view_request(args.views));
+    const experiment::Experiment asked = args.options.read();
+    const harness::TraceOptions trace = experiment::trace_of(asked, cache_folder(args.cache));
+    const auto scenes = harness::load_scenes(names, views_of(asked));
     harness::make_out_folder(args.out);
     std::string table = "scene,view,width,height,folder\n";
     for (const harness::SceneViews& scene_views : scenes) {
@@ -104,7 +104,7 @@ void add_export_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "export", "Write meshes, cameras, buffers and truths of views for programs outside");
     add_scene_options(*command, args->scenes, "Built-in scenes or model files");
-    add_view_options(*command, args->views);
+    args->options.add_to(*command, experiment::view_rows());
     add_out_folder_option(*command, args->out, "Folder of the exported views")->required();
     command
         ->add_option("--truth",

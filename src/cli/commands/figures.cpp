@@ -23,6 +23,7 @@
 #include "core/program_folder.h"
 #include "core/split_list.h"
 #include "core/whole_file.h"
+#include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "harness/cells/cell.h"
 #include "summary/paired_differences.h"
@@ -102,7 +103,7 @@ struct FiguresArgs : MeasureArgs {
         usual.repetitions = 9;
         usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
         usual.crosscheck = false;
-        usual.images = experiment::KeptImages::all;
+        usual.compare.images = experiment::KeptImages::all;
     }
 
     // Of the script, which reads and checks them.
@@ -221,7 +222,8 @@ void show_runs(const FiguresArgs& args,
         check_script_options(words);
         if (wrote_tables_of_scenes(args, runs)) words.emplace_back("--tables-of-scenes");
     }
-    if (!args.views.views.empty()) words.push_back("--views=" + args.views.views);
+    for (const std::string& views : args.options.given("views.views"))
+        words.push_back("--views=" + views);
     words.emplace_back("--");
     words.insert(words.end(), runs.begin(), runs.end());
     run_script(words);
@@ -230,8 +232,8 @@ void show_runs(const FiguresArgs& args,
 experiment::Experiment experiment_of(const FiguresArgs& args) {
     experiment::Experiment experiment = args.read();
     if (experiment.scenes.empty()) experiment.scenes = core::split_list(kUsualScenes);
-    if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
-    experiment.own_sweep_views = 0;
+    if (!args.options.has_views()) experiment.compare.views = 1;
+    experiment.compare.own_sweep_views = 0;
     return experiment;
 }
 
@@ -299,7 +301,7 @@ void add_script_options(CLI::App& command, FiguresArgs& args) {
 
 void add_figures_command(CLI::App& app) {
     auto args = std::make_shared<FiguresArgs>();
-    args->views.size = "640x360";
+    args->options.usual().sizes = {{640, 360}};
     auto* command = app.add_subcommand(
         "figures",
         "Make figures for papers from run folders, or from scenes and methods: strips, error "
@@ -314,7 +316,7 @@ void add_figures_command(CLI::App& app) {
     add_set_option(*command, args->settings);
     ExperimentOptions& options = args->options;
     options.add_to(*command, {"grid.entrants", "measure.entrant_seconds"});
-    add_view_options(*command, args->views);
+    options.add_to(*command, experiment::view_rows());
     add_out_folder_option(*command,
                           args->folder.out,
                           "Folder for the figures, figures.md, which lists them, and run/, if one "

@@ -5,10 +5,12 @@
 #include <optional>
 
 #include "cli/commands/commands.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
+#include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "report/live_page.h"
 
@@ -17,7 +19,7 @@ namespace {
 
 struct PageArgs {
     SceneOptions scene;
-    ViewOptions views;
+    ExperimentOptions options;
     std::string run;
     std::string file;
 };
@@ -30,7 +32,7 @@ void run_page(PageArgs args) {
     std::optional<experiment::RunData> run;
     if (!args.run.empty()) run = experiment::read_run(args.run);
     const harness::SceneViews scene_views =
-        harness::load_scenes({name}, view_request(args.views)).front();
+        harness::load_scenes({name}, views_of(args.options.read())).front();
     print_notes(scene_views);
     if (args.file.empty()) {
         const std::filesystem::path file =
@@ -56,7 +58,7 @@ void add_page_command(CLI::App& app) {
             "HTML file to write (default, with --run: live/SCENE.html in the run's folder, "
             "to which its report then links)")
         ->type_name("FILE");
-    add_view_options(*command, args->views);
+    args->options.add_to(*command, experiment::view_rows());
     command
         ->add_option("--run",
                      args->run,

@@ -44,7 +44,10 @@ void add_run_command(CLI::App& app) {
     auto args = std::make_shared<RunArgs>();
     auto* command = app.add_subcommand(
         "run", "Compute an experiment from its file; a run that was killed goes on where it was");
-    command->add_option("file", args->file, "An experiment, such as experiments/quality.toml")
+    command
+        ->add_option("file",
+                     args->file,
+                     "An experiment, such as experiments/quality.toml, or run.toml of a run")
         ->type_name("FILE")
         ->required();
     add_run_folder_options(*command, args->folder);

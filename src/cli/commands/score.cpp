@@ -15,6 +15,7 @@
 #include "core/whole_file.h"
 #include "draw/image_output.h"
 #include "experiment/experiment_plan.h"
+#include "experiment/options/view_rows.h"
 #include "harness/images/out_folder.h"
 #include "score/coverage.h"
 
@@ -32,7 +33,6 @@ struct ScoreArguments {
     fs::path truth;
     std::string model;  ///< a scene or model file instead of a truth
     std::string view;
-    ViewOptions views;
     CacheOptions cache;
     given_images::ScoreRequest request;
     std::string polarity = "auto";
@@ -82,19 +82,18 @@ given_images::FilesScore score_against_model(const ScoreArguments& a,
     harness::OutlineImage image = harness::read_outline_image(a.prediction, a.request.polarity);
     const std::string own_size =
         fmt::format("{}x{}", image.responses.width_px(), image.responses.height_px());
-    ViewOptions views = a.views;
-    if (views.size.empty()) views.size = own_size;
-    const harness::ViewRequest request = view_request(views);
-    if (request.width_px != image.responses.width_px() ||
-        request.height_px != image.responses.height_px()) {
+    experiment::Experiment asked = a.options.read();
+    const experiment::ImageSize size{image.responses.width_px(), image.responses.height_px()};
+    for (const std::string& given : a.options.given("grid.sizes")) {
+        if (given == own_size) continue;
         throw core::Error(
             "--size",
             fmt::format(
-                "it is {}, but the size of {} is {}", views.size, a.prediction.string(), own_size),
+                "it is {}, but the size of {} is {}", given, a.prediction.string(), own_size),
             recorded_command(command, {"--size"}));
     }
-    const TracedView traced(harness::load_one_view(a.model, a.view, request),
-                            experiment::trace_of(a.options.read(), cache_folder(a.cache)));
+    const TracedView traced(harness::load_one_view(a.model, a.view, views_of(asked, size)),
+                            experiment::trace_of(asked, cache_folder(a.cache)));
     truth_name = fmt::format("{}, view {}", a.model, traced.view().camera.name);
     given_images::TruthLabels truth{traced.truth.counted_labels(),
                                     static_cast<int>(truth::LineClass::ignore),
@@ -170,7 +169,7 @@ void run_score(ScoreArguments a, const CLI::App& command) {
     a.request.polarity = asked_polarity(a);
     const experiment::Experiment asked = a.options.read();
     a.request.intersections = asked.intersections;
-    if (asked.coverage) a.request.line_width_px = asked.line_width_px;
+    if (asked.compare.coverage) a.request.line_width_px = asked.compare.line_width_px;
     if (a.fail_under && !(*a.fail_under >= 0 && *a.fail_under <= 1)) {
         throw core::Error(
             "--fail-under", fmt::format("{} is no value of F", *a.fail_under), "0..1");
@@ -241,8 +240,7 @@ void add_model_options(CLI::App& command, ScoreArguments& a) {
     const std::size_t before = command.get_options().size();
     command.add_option("--view", a.view, "Name of the view (default: the first)")
         ->type_name("NAME");
-    a.views.size.clear();
-    add_view_options(command, a.views);
+    a.options.add_to(command, experiment::view_rows());
     a.options.add_to(command, {"measure.crease_deg", "measure.creases", "measure.weld_epsilon"});
     add_cache_options(command, a.cache);
     const auto options = command.get_options();

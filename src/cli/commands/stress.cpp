@@ -83,7 +83,7 @@ std::string bounds_text() {
 void add_stress_command(CLI::App& app) {
     auto args = std::make_shared<MeasureArgs>("stress", "inkbench-out/stress");
     args->options.usual().kind = experiment::ExperimentKind::stress;
-    args->views.size = "480x270";
+    args->options.usual().sizes = {{480, 270}};
     auto* command = app.add_subcommand(
         "stress",
         "Sweep one difficulty at a time: error curves per method; or find the view on which a "
@@ -96,7 +96,7 @@ void add_stress_command(CLI::App& app) {
     options.add_to(*command, {"search.methods", "search.against"});
     add_scene_options(*command, args->scenes, "Scenes or model files, for --hardest");
     options.add_to(*command, {"search.evaluations", "search.least_truth_px", "search.worst"});
-    command->add_option("--size", args->views.size, "Size of an image")->capture_default_str();
+    options.add_to(*command, {"grid.sizes"}, "Size of an image");
     options.add_to(*command, {"grid.threads"}, "Threads of a method");
     options.add_to(*command, {"seed"}, "Of the intervals, and of the search");
     options.add_to(*command, {"measure.intersections", "measure.crosscheck"});

@@ -14,6 +14,7 @@
 #include "cli/place.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "experiment/options/view_rows.h"
 #include "harness/cells/skip_switches.h"
 #include "harness/images/out_folder.h"
 #include "import/rest_alone.h"
@@ -29,7 +30,6 @@ struct TimedemoArgs {
     std::string view;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    ViewOptions views;
     int frames = 60;
     std::string lights;
     std::string out;
@@ -63,12 +63,12 @@ void run_timedemo(const TimedemoArgs& args) {
     studies::TimedemoOptions options;
     options.configs = methods::make_configs(method_list(args.methods), args.settings);
     options.threads = asked.threads.front();
-    options.skips = harness::without_skips({}, asked.skips_off);
+    options.skips = harness::without_skips({}, asked.compare.skips_off);
     options.seed = asked.seed;
     options.frames = args.frames;
     options.lamps = shade::lamp_source(args.lights);
     check_count("--frames", args.frames, 2, 10000);
-    const harness::ViewRequest request = view_request(args.views);
+    const harness::ViewRequest request = views_of(asked);
     if (request.time_s || request.frame) {
         throw core::Error(
             "--time", "a time demo shows all of an animation", "no --time or --frame");
@@ -112,7 +112,7 @@ void add_timedemo_command(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--view", args->view, "View where the camera starts (default: the first)")
         ->type_name("NAME");
-    add_view_options(*command, args->views);
+    args->asked.add_to(*command, experiment::view_rows());
     args->asked.add_to(*command, {"grid.threads"}, "Threads of a method");
     args->asked.add_to(*command, {"seed"}, "Of the shaking camera and the sketching hand");
     add_lights_option(*command, args->lights);

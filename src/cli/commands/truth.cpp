@@ -17,6 +17,7 @@
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "experiment/experiment_plan.h"
+#include "experiment/options/view_rows.h"
 #include "harness/images/out_folder.h"
 #include "harness/images/view_images.h"
 #include "harness/truths/tracing.h"
@@ -35,7 +36,6 @@ experiment::Experiment usual_truth() {
 struct TruthArgs {
     SceneOptions scene;
     std::string view;
-    ViewOptions views;
     std::optional<std::string> file;
     std::optional<std::string> svg;
     std::optional<std::string> image;
@@ -156,7 +156,7 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     for (const auto& file : {args.image, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
-    const harness::ViewRequest request = view_request(args.views);
+    const harness::ViewRequest request = views_of(asked);
     check_drawing_options(args.drawing, request, args.view);
     harness::SceneViews scene_views = asked_views(args, request);
     if (args.drawing.is_folder()) harness::make_out_folder(*args.drawing.place);
@@ -209,7 +209,7 @@ void add_truth_command(CLI::App& app) {
     add_drawing_options(*command, args->drawing);
     command->add_option("--view", args->view, "Name of the view (default: the first)")
         ->type_name("NAME");
-    add_view_options(*command, args->views);
+    args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
     args->options.add_to(*command, {"measure.creases"});
     args->options.add_to(*command, {"grid.threads"}, "Threads that trace");

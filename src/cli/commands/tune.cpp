@@ -17,6 +17,7 @@
 #include "core/parallel.h"
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
+#include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "methods/method_configs.h"
 #include "methods/presets.h"
@@ -48,7 +49,6 @@ struct TuneArgs {
     bool no_random = false;
     SceneOptions scenes;
     std::vector<std::string> unseen;
-    ViewOptions views;
     std::string name;
     std::string out = "inkbench-out/tune";
     bool is_forced = false;
@@ -151,8 +151,7 @@ void add_unseen(const TuneArgs& args,
 void run_tune(const TuneArgs& args, const std::string& command) {
     tune::TuneOptions options = tune_options(args);
     options.command = command;
-    harness::ViewRequest request = view_request(args.views);
-    request.listed = args.options.read().view_request.listed;
+    const harness::ViewRequest request = views_of(args.options.read());
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
     spare_listed(scenes, options);
     add_unseen(args, request, scenes, options);
@@ -234,7 +233,7 @@ void add_tune_command(CLI::App& app) {
                          "experiments/models.toml");
     add_repeatable_option(
         *command, "--unseen", args->unseen, "Scenes or model files that are only scored", "SCENES");
-    add_view_options(*command, args->views);
+    args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
     command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
         ->type_name("NAME");

@@ -5,6 +5,7 @@
 
 #include "cli/name_list.h"
 #include "experiment/options/option_table.h"
+#include "experiment/options/view_rows.h"
 
 namespace ink::cli {
 namespace {
@@ -31,7 +32,7 @@ void ExperimentOptions::add_to(CLI::App& command,
         const core::Param& param = table.param(row);
         const std::string& flag = table.options[row].flag;
         const std::string help = doc.empty() ? param.doc : doc;
-        std::vector<std::string>& given = given_[name];
+        std::vector<std::string>& given = given_[row];
         if (param.kind == core::ParamKind::flag) {
             const std::string value = flag.starts_with("--no-") ? "false" : "true";
             command.add_flag_callback(
@@ -50,21 +51,25 @@ void ExperimentOptions::add_to(CLI::App& command,
 experiment::Experiment ExperimentOptions::read() const {
     const experiment::OptionTable& table = experiment::option_table();
     experiment::Experiment experiment = usual_;
-    for (const auto& [name, texts] : given_) {
+    for (const auto& [row, texts] : given_) {
         if (texts.empty()) continue;
-        const std::size_t row = table.row(name);
-        const core::Param& param = table.param(row);
-        const std::string where = flag_of(name);
+        const std::string where = flag_of(table.param(row).name);
+        const std::string& noun = table.options[row].noun;
         const std::vector<std::string> named =
-            param.choices.empty() || param.kind != core::ParamKind::list
-                ? texts
-                : listed_names(texts, {where, table.options[row].noun, param.choices});
+            noun.empty() ? texts : listed_names(texts, {where, noun, table.param(row).choices});
         std::vector<core::GivenText> given;
         for (const std::string& text : named)
             given.push_back({text, where});
         table.rows.set(experiment, row, given, "it");
     }
+    experiment::settle_views(experiment.view_request);
     return experiment;
+}
+
+const std::vector<std::string>& ExperimentOptions::given(const std::string& row) const {
+    static const std::vector<std::string> kNothing;
+    const auto found = given_.find(experiment::option_table().row(row));
+    return found == given_.end() ? kNothing : found->second;
 }
 
 std::string flag_of(const std::string& row) {

@@ -25,15 +25,20 @@ class ExperimentOptions {
     /// option) for text that means nothing.
     [[nodiscard]] experiment::Experiment read() const;
 
-    /// Of a row that was added.
-    [[nodiscard]] bool is_given(const std::string& row) const { return !given_.at(row).empty(); }
+    /// What was given of a row; nothing, too, of one that was not added.
+    [[nodiscard]] const std::vector<std::string>& given(const std::string& row) const;
+    [[nodiscard]] bool is_given(const std::string& row) const { return !given(row).empty(); }
+    /// Whether views were asked for, of which scenes have their own.
+    [[nodiscard]] bool has_views() const {
+        return is_given("views.views") || is_given("views.eye");
+    }
 
     /// What is done unless something else is given.
     [[nodiscard]] experiment::Experiment& usual() { return usual_; }
 
   private:
     experiment::Experiment usual_;
-    std::map<std::string, std::vector<std::string>> given_;  ///< by row
+    std::map<std::size_t, std::vector<std::string>> given_;  ///< by row, in the table's order
 };
 
 /// How messages call the option of a row: "--axes" of "--axes,--axis".

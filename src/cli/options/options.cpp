@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "cli/name_list.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
@@ -68,89 +67,6 @@ std::string recorded_command(const CLI::App& command, const std::vector<std::str
         }
     }
     return line;
-}
-
-void add_view_options(CLI::App& command, ViewOptions& options) {
-    command.add_option("--size", options.size, "Image size in pixels")
-        ->type_name("WIDTHxHEIGHT")
-        ->capture_default_str();
-    command
-        .add_option(
-            "--views",
-            options.views,
-            "N views round the scene, names (front, back, left, right, top, bottom, iso), or "
-            "'file' for the model's own cameras (default: a built-in scene's own views, "
-            "three round a model); named views are parallel")
-        ->type_name("N|NAME,...|file");
-    command
-        .add_option("--projection",
-                    options.projection,
-                    "How all views look, or both ways by commas (default: in perspective, but for "
-                    "named views and a file's parallel cameras)")
-        ->type_name("perspective|parallel");
-    command
-        .add_option("--parallel",
-                    options.parallel_height,
-                    "Height that parallel views show, in the scene's units, instead of --fov "
-                    "(default: as much as a pinhole sees at the scene's middle)")
-        ->type_name("HEIGHT");
-    command
-        .add_option("--fit",
-                    options.fit,
-                    "What views round the scene are fitted to: its bounding sphere, or what each "
-                    "view shows of it (default: sphere)")
-        ->type_name("sphere|box");
-    command
-        .add_option("--margin",
-                    options.margin,
-                    "Share of the frame that --fit box leaves free on either side (default: 0.04)")
-        ->type_name("SHARE");
-    add_repeatable_option(command,
-                          "--object",
-                          options.objects,
-                          "Frame this object of the scene only; may be given again",
-                          "NAME");
-    add_repeatable_option(command,
-                          "--eye",
-                          options.eyes,
-                          "Eye position instead of --views; may be given again for more views",
-                          "X,Y,Z");
-    add_repeatable_option(command,
-                          "--target",
-                          options.targets,
-                          "Point looked at, one per --eye (default: the scene's centre)",
-                          "X,Y,Z");
-    command
-        .add_option("--up",
-                    options.up,
-                    "What is up: with --eye a direction, in views by name an axis (default: y, but "
-                    "z for views by name of .stl and .3mf files)")
-        ->type_name("x|y|z|X,Y,Z");
-    command
-        .add_option(
-            "--fov",
-            options.fov_deg,
-            fmt::format("Vertical field of view, with --eye (default: {:g})", experiment::kFov_deg))
-        ->type_name("DEGREES");
-    command
-        .add_option(
-            "--time", options.time_s, "Moment of an animated scene (default: its rest pose)")
-        ->type_name("SECONDS");
-    command.add_option("--frame", options.frame, "A stored frame's number, instead of --time")
-        ->type_name("N");
-    command
-        .add_option("--animation",
-                    options.animation,
-                    "Which animation of a model file moves it (default: the first; inkbench "
-                    "explain names all)")
-        ->type_name("NAME|N");
-    command
-        .add_option("--seams",
-                    options.seams,
-                    "Where a smooth surface has seams: between objects of a model file, or "
-                    "between their materials, too")
-        ->type_name("objects|materials")
-        ->capture_default_str();
 }
 
 void add_cache_options(CLI::App& command, CacheOptions& options) {

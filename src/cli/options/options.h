@@ -6,20 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "experiment/view_options.h"
-
 namespace ink::cli {
-
-using experiment::view_request;
-using experiment::ViewOptions;
 
 /// What exit code 3 of a run means, for the help texts.
 inline constexpr const char* kUnscoredCode =
     "3 some views have no score (crowded ones do not count)";
-
-/// Adds --size, --views, --fit, --margin, --object, --eye, --target, --up, --fov, --time, --frame,
-/// --animation and --seams to a command.
-void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// Adds --out DIR, or -o DIR: the folder that a command writes; `doc` says what into it.
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc);

@@ -161,13 +161,9 @@ experiment::Experiment MeasureArgs::read() const {
     experiment::Experiment experiment = options.read();
     const std::string names = method_list(methods);
     for (const method::MethodConfig& config :
-         methods::make_configs(names, settings, experiment.presets))
+         methods::make_configs(names, settings, experiment.compare.presets))
         if (!names.empty() && !config.owned) experiment.methods.push_back(config.info->name);
     experiment.settings = settings;
-    harness::ViewRequest request = view_request(views);
-    request.listed = std::move(experiment.view_request.listed);
-    experiment.view_request = std::move(request);
-    experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.scenes = scene_names(scenes);
     return experiment;
 }

@@ -35,7 +35,6 @@ struct MeasureArgs {
     SceneOptions scenes;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    ViewOptions views;
     CacheOptions cache;
     RunFolderOptions folder;
 

@@ -12,6 +12,7 @@
 #include "core/parse_number.h"
 #include "entrants/entrant.h"
 #include "experiment/options/model_list.h"
+#include "experiment/options/view_rows.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "studies/stress/stress_axes.h"
@@ -23,9 +24,6 @@ using Texts = std::vector<std::string>;
 using Given = std::vector<core::GivenText>;
 using Kind = core::ParamKind;
 
-constexpr unsigned bit(ExperimentKind kind) {
-    return 1U << static_cast<unsigned>(kind);
-}
 constexpr unsigned kCompare = bit(ExperimentKind::compare);
 constexpr unsigned kStress = bit(ExperimentKind::stress);
 constexpr unsigned kAnimation = bit(ExperimentKind::animation);
@@ -71,7 +69,7 @@ void read_methods(Experiment& experiment, const Given& methods) {
                     experiment.methods);
         });
     }
-    std::erase_if(experiment.grids, [&](const SettingGrid& grid) {
+    std::erase_if(experiment.compare.grids, [&](const SettingGrid& grid) {
         const Texts& names = experiment.methods;
         return std::find(names.begin(), names.end(), grid.method) == names.end();
     });
@@ -84,7 +82,7 @@ std::string found_method(const core::GivenText& name) {
 void read_entrants(Experiment& experiment, const Given& entrants) {
     for (const core::GivenText& entrant : entrants) {
         at_place(entrant.where, [&] { (void)entrants::parse_entrant(entrant.text); });
-        experiment.entrants.push_back(entrant.text);
+        experiment.compare.entrants.push_back(entrant.text);
     }
 }
 
@@ -114,15 +112,8 @@ Texts sizes_text(const Experiment& experiment) {
 
 Texts antialias_text(const Experiment& experiment) {
     Texts texts;
-    for (const methods::Antialias antialias : experiment.antialias)
+    for (const methods::Antialias antialias : experiment.compare.antialias)
         texts.emplace_back(methods::kAntialiasNames[static_cast<std::size_t>(antialias)]);
-    return texts;
-}
-
-Texts projections_text(const Experiment& experiment) {
-    Texts texts;
-    for (const scene::ProjectionKind kind : experiment.view_request.projections)
-        texts.emplace_back(scene::kProjectionNames[static_cast<std::size_t>(kind)]);
     return texts;
 }
 
@@ -144,31 +135,30 @@ Texts model_list_text(const Experiment& experiment) {
 }
 
 /// A list of texts that are taken as they are.
-template <auto kField>
+template <auto... kPath>
 void read_names(Experiment& experiment, const Given& names) {
-    (experiment.*kField).clear();
+    Texts& all = kField<kPath...>(experiment);
+    all.clear();
     for (const core::GivenText& name : names) {
-        Texts& all = experiment.*kField;
         if (std::find(all.begin(), all.end(), name.text) != all.end())
             throw core::Error(
                 name.where, fmt::format("'{}' is named twice", name.text), "each once");
         all.push_back(name.text);
     }
 }
-template <auto kField>
+template <auto... kPath>
 Texts names_text(const Experiment& experiment) {
-    return experiment.*kField;
+    return kField<kPath...>(experiment);
 }
 
 OptionTable make_table() {
     using E = Experiment;
+    using C = CompareRequest;
+    using H = HardestRequest;
+    using S = StressRequest;
     OptionTable table;
-    // Says where the row that follows is given.
-    const auto in = [&table](unsigned kinds,
-                             std::string flag = "",
-                             std::string noun = "") -> core::ParamTable<Experiment>& {
-        table.options.push_back({std::move(flag), std::move(noun), kinds});
-        return table.rows;
+    const auto in = [&table](auto... place) -> auto& {
+        return table.in(place...);
     };
     // clang-format off
     in(kAll, "--seed").texts(
@@ -182,7 +172,8 @@ OptionTable make_table() {
          .doc = "Built-in scenes or model files; train, heldout or catalogue"},
         read_scenes, names_text<&E::scenes>);
     in(kCompare).number(
-        &E::views, "grid.views", {1, 360}, "N", "Views of each scene, the first N");
+        kField<&E::compare, &C::views>, "grid.views", {1, 360}, "N",
+        "Views of each scene, the first N");
     in(kAll).texts(
         {.name = "grid.methods", .kind = Kind::list, .unit = "METHOD",
          .doc = "Methods that take part, or all"},
@@ -191,17 +182,18 @@ OptionTable make_table() {
         {.name = "grid.presets", .kind = Kind::list, .unit = "FILE",
          .doc = "A method with settings of its own, as inkbench tune writes it: a TOML file, "
                 "beside the methods; may be given again"},
-        read_names<&E::presets>, names_text<&E::presets>);
+        read_names<&E::compare, &C::presets>, names_text<&E::compare, &C::presets>);
     in(kCompare, "--entrant").texts(
         {.name = "grid.entrants", .kind = Kind::list, .unit = "NAME=PATH",
          .doc = "A method from outside: a folder with SCENE/VIEW.png (and times.csv), or a program "
                 "that is called as PROGRAM view.json out.png; may be given again (see "
                 "methods/README.md)"},
-        read_entrants, names_text<&E::entrants>);
-    in(kAll).texts(
+        read_entrants, names_text<&E::compare, &C::entrants>);
+    in(kAll, "--size").texts(
         {.name = "grid.sizes", .kind = Kind::list, .unit = "WIDTHxHEIGHT",
-         .doc = "Sizes of images in pixels"},
+         .doc = "Image size in pixels"},
         read_sizes, sizes_text);
+    table.options.back().is_once = true;
     in(kAll, "--threads").texts(
         {.name = "grid.threads", .kind = Kind::list, .unit = "N",
          .doc = "Threads a method may use while it is timed"},
@@ -218,31 +210,22 @@ OptionTable make_table() {
          .unit = "NAMES",
          .doc = "Samples of a pixel that methods draw: none, resolve4 (2 x 2) or resolve16 (4 x 4), "
                 "averaged; of several each is a method of its own, NAME_resolve4 (default: none)"},
-        [](E& e, const Given& given) { e.antialias = methods::parse_antialias(given); },
+        [](E& e, const Given& given) { e.compare.antialias = methods::parse_antialias(given); },
         antialias_text);
-    in(kCompare | kAnimation | kHardest).choice(
-        [](auto& e) -> auto& { return e.view_request.model.material_seams; },
-        "grid.seams", {"objects", "materials"},
-        "Where a smooth surface has seams: between objects of a model file, or between their "
-        "materials, too");
-    in(kCompare | kAnimation).texts(
-        {.name = "grid.projections", .kind = Kind::list,
-         .choices = {scene::kProjectionNames.begin(), scene::kProjectionNames.end()},
-         .unit = "NAMES",
-         .doc = "How cameras look; of two, parallel views are called NAME.parallel (default: in "
-                "perspective, named views and a file's parallel cameras parallel)"},
-        [](E& e, const Given& given) { e.view_request.projections = parse_projections(given); },
-        projections_text);
+    add_view_rows(table);
     in(kStress, "--axes,--axis", "axis").texts(
         {.name = "grid.axes", .kind = Kind::list, .choices = core::names_of(studies::stress_axes()),
          .unit = "AXES", .doc = "Axes a,b or globs (default: all; see inkbench list axes)"},
-        read_names<&E::axes>, names_text<&E::axes>);
+        read_names<&E::stress, &S::axes>, names_text<&E::stress, &S::axes>);
     in(kStress, "--points").number(
-        &E::points, "grid.points", {2, 1000}, "N", "Points of an axis at most (default: all)");
+        kField<&E::stress, &S::points>, "grid.points", {2, 1000}, "N",
+        "Points of an axis at most (default: all)");
     in(kStress, "--projection").choice(
-        &E::projection, "grid.projection", scene::kProjectionNames,
+        kField<&E::stress, &S::projection>, "grid.projection", scene::kProjectionNames,
         "How all cameras look");
-    in(kAnimation).number(&E::frames, "grid.frames", {2, 10000}, "N", "Frames of a sequence");
+    in(kAnimation).number(
+        kField<&E::animation, &AnimationRequest::frames>, "grid.frames", {2, 10000}, "N",
+        "Frames of a sequence");
 
     in(kTimed, "--repetitions").number(
         &E::repetitions, "measure.repetitions", {1, 10000}, "N",
@@ -252,28 +235,28 @@ OptionTable make_table() {
         "Drawing of a method on a view after which repetitions end");
     in(kAll).flag(&E::times, "measure.times", "Times are measured; else their columns are empty");
     in(kCompare).flag(
-        &E::full_scores, "measure.full_scores",
+        kField<&E::compare, &C::full_scores>, "measure.full_scores",
         "Curves, tolerance sweep, bins and causes; else F at 2 px alone");
     in(kCompare, "--coverage").flag(
-        &E::coverage, "measure.coverage",
+        kField<&E::compare, &C::coverage>, "measure.coverage",
         "Score grey lines, too: soft_f of each pixel's drawn share against the share that the true "
         "lines cover, with missing, surplus and misplaced ink");
     in(kCompare, "--line-width").number(
-        &E::line_width_px, "measure.line_width_px",
+        kField<&E::compare, &C::line_width_px>, "measure.line_width_px",
         {score::kLeastLineWidth_px, score::kMostLineWidth_px}, "PX",
         "Width of grey lines: of the true ones with --coverage, and of those that methods draw with "
         "--antialias");
     in(kCompare | kHardest, "--no-crosscheck,--no-witness").flag(
         &E::crosscheck, "measure.crosscheck", "Skip the independent check of the ground truth");
     in(kCompare, "--entrant-seconds").number(
-        &E::entrant_s, "measure.entrant_seconds", {0.01, 86400}, "SECONDS",
+        kField<&E::compare, &C::entrant_s>, "measure.entrant_seconds", {0.01, 86400}, "SECONDS",
         "Longest time of an entrant's program for one view");
     in(kAll, "--crease").number(
         &E::crease_deg, "measure.crease_deg", {0, 180}, "DEGREES",
         "Crease angle of the truth: edges with a larger dihedral deviation are creases; methods "
         "that use the same angle follow, unless --set says otherwise");
     in(kCompare, "--creases").choice(
-        &E::creases, "measure.creases", scene::kCreaseSourceNames,
+        kField<&E::compare, &C::creases>, "measure.creases", scene::kCreaseSourceNames,
         "Which edges between two faces are creases of the truth: those of the crease angle, or "
         "those that the model's file marks (glTF, EXT_mesh_primitive_edge_visibility); methods "
         "keep their angle");
@@ -290,28 +273,31 @@ OptionTable make_table() {
          .choices = core::names_of(raster::skip_infos()), .unit = "SKIPS",
          .doc = "Disable these optimisations, a,b or all (see inkbench list skips): other times, "
                 "the same images"},
-        read_names<&E::skips_off>, names_text<&E::skips_off>);
+        read_names<&E::compare, &C::skips_off>,
+        names_text<&E::compare, &C::skips_off>);
     in(kCompare, "--images").choice(
-        &E::images, "measure.images", {"none", "first", "all"},
+        kField<&E::compare, &C::images>, "measure.images", {"none", "first", "all"},
         "Views whose images are kept: none, the first of each scene, or all");
 
     in(kCompare, "--sweep-views").number(
-        &E::own_sweep_views, "sweep.own_views", {0, 10000}, "N",
+        kField<&E::compare, &C::own_sweep_views>, "sweep.own_views", {0, 10000}, "N",
         "Views of each scene on which sweeps are drawn");
 
     in(kCompare, "--f-margin").number(
-        [](auto& e) -> auto& { return e.answer.f_margin; }, "answer.f_margin", {0, 1}, "F",
+        kField<&E::compare, &C::answer, &summary::AnswerRule::f_margin>, "answer.f_margin",
+        {0, 1}, "F",
         "The answer is the cheapest method whose F is at most this far below the best");
     in(kCompare, "--budget-ms").number(
-        [](auto& e) -> auto& { return e.answer.budget_ms; }, "answer.budget_ms", {0, 1e6}, "MS",
+        kField<&E::compare, &C::answer, &summary::AnswerRule::budget_ms>, "answer.budget_ms",
+        {0, 1e6}, "MS",
         "The answer is of the methods whose frame takes at most so long (0: any)");
 
     in(kCompare, "--scaling").flag(
-        &E::study_scaling, "study.scaling",
+        kField<&E::compare, &C::study_scaling>, "study.scaling",
         "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: rows of study scaling "
         "and plots, about a minute");
     in(kCompare, "--motion").flag(
-        &E::study_motion, "study.motion",
+        kField<&E::compare, &C::study_motion>, "study.motion",
         "Also draw sequences in which the camera moves slowly: flicker, pops, lives of false "
         "lines; motion.csv and plots, about a minute");
 
@@ -325,7 +311,7 @@ OptionTable make_table() {
             for (const core::GivenText& text : given)
                 e.hardest.methods.push_back(found_method(text));
         },
-        [](const E& e) { return e.hardest.methods; });
+        names_text<&E::hardest, &H::methods>);
     in(kHardest, "--against").texts(
         {.name = "search.against", .kind = Kind::text, .unit = "METHOD",
          .doc = "Search for the view on which it loses most F to this method"},
@@ -334,13 +320,13 @@ OptionTable make_table() {
             return e.hardest.against.empty() ? Texts{} : Texts{e.hardest.against};
         });
     in(kHardest, "--evaluations").number(
-        [](auto& e) -> auto& { return e.hardest.evaluations; }, "search.evaluations", {1, 1e6},
+        kField<&E::hardest, &H::evaluations>, "search.evaluations", {1, 1e6},
         "N", "Views to look at, of each scene and method");
     in(kHardest, "--least-truth").number(
-        [](auto& e) -> auto& { return e.hardest.least_truth_px; }, "search.least_truth_px",
+        kField<&E::hardest, &H::least_truth_px>, "search.least_truth_px",
         {1, 1e6}, "PX", "A view with fewer true pixels that count is none");
     in(kHardest, "--worst").number(
-        [](auto& e) -> auto& { return e.hardest.worst; }, "search.worst", {1, 100}, "N",
+        kField<&E::hardest, &H::worst>, "search.worst", {1, 100}, "N",
         "Views that are kept of each scene and method, 10 degrees apart at least");
     // clang-format on
     return table;
@@ -357,7 +343,7 @@ std::size_t OptionTable::row(std::string_view name) const {
 
 std::vector<std::string> OptionTable::texts(const Experiment& experiment, std::size_t row) const {
     std::vector<std::string> texts = rows.get(experiment, row);
-    if (param(row).kind == Kind::integer || param(row).kind == Kind::real) {
+    if (param(row).is_number() && !texts.empty()) {
         const double value = std::stod(texts.front());
         if (value < param(row).min || value > param(row).max) return {};
     }

@@ -15,7 +15,7 @@ namespace ink::experiment {
 struct Option {
     std::string flag;      ///< on the command line, "--crease"; "" if only files have it
     std::string noun;      ///< of a list with choices: what one of them is, "axis"; else ""
-    unsigned kinds = 0;    ///< of experiments that have it: a bit for each ExperimentKind
+    unsigned kinds = 0;    ///< whose files have it: a bit for each ExperimentKind; 0: no file
     bool is_once = false;  ///< a list of which a command takes one text
 };
 
@@ -26,12 +26,25 @@ struct OptionPlace {
 };
 [[nodiscard]] OptionPlace place_of(const core::Param& param);
 
+/// The field to which these pointers to members lead, one inside the other, for a row.
+template <auto... kPath>
+inline constexpr auto kField = [](auto& whole) -> auto& {
+    return (whole.*....*kPath);
+};
+
 /// All options of an experiment. A row's name is its table and key in a file ("measure.times"), and
 /// its place in what run.toml records as asked; its sentence is the help of the command line. A
-/// list with choices holds names of these alone.
+/// list with choices holds names of these alone. Rows are set in their order: what a row of views
+/// means may depend on those before it.
 struct OptionTable {
     core::ParamTable<Experiment> rows;
     std::vector<Option> options;  ///< one for each row
+
+    /// Says where the row is given that is then added to what is returned.
+    core::ParamTable<Experiment>& in(unsigned kinds, std::string flag = "", std::string noun = "") {
+        options.push_back({std::move(flag), std::move(noun), kinds});
+        return rows;
+    }
 
     /// The row of that name. Throws std::out_of_range if there is none: the caller's mistake.
     [[nodiscard]] std::size_t row(std::string_view name) const;
@@ -52,6 +65,11 @@ struct OptionTable {
 void set_option(Experiment& experiment,
                 std::string_view name,
                 const std::vector<core::GivenText>& given);
+
+/// A bit of Option::kinds.
+constexpr unsigned bit(ExperimentKind kind) {
+    return 1U << static_cast<unsigned>(kind);
+}
 
 /// A seed. Throws core::Error unless it is a whole number of 64 bits.
 [[nodiscard]] std::uint64_t parse_seed(const core::GivenText& given);

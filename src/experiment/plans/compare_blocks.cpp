@@ -100,7 +100,7 @@ BlockResult run_methods(ViewBench& bench,
                         const BlockPlace& at,
                         const std::vector<std::string>& swept) {
     const scene::Scene& scene = bench.scenes()[at.scene];
-    const bool is_full = bench.experiment().full_scores;
+    const bool is_full = bench.experiment().compare.full_scores;
     harness::CellOptions options = bench.cell_options(at.threads);
     options.scores = is_full ? harness::Scores::full : harness::Scores::brief;
     BlockResult result;

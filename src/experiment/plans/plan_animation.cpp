@@ -18,7 +18,7 @@ constexpr int kBaselines = 3;  // of a sequence: sampled, exact_corner and oracl
 /// The sequences of the study whose scene takes part.
 std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const ImageSize& size) {
     std::vector<studies::Sequence> all =
-        studies::study_sequences(size.width_px, size.height_px, experiment.frames);
+        studies::study_sequences(size.width_px, size.height_px, experiment.animation.frames);
     std::vector<std::string> known;
     for (const studies::Sequence& sequence : all)
         known.push_back(sequence.scene.name);
@@ -78,7 +78,7 @@ void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& 
                                                    size.height_px,
                                                    threads),
                                        rows,
-                                       experiment.frames * frame_s,
+                                       experiment.animation.frames * frame_s,
                                        true,
                                        [stage, n, threads, first_cell] {
                                            return run_sequence(*stage, n, threads, first_cell);

@@ -141,21 +141,21 @@ void plan_axes(const std::vector<studies::Axis>& axes,
         stage->options.trace.truth.threads = core::hardware_threads();
         stage->options.trace.crosscheck = experiment.crosscheck;
         stage->options.measure.threads = experiment.threads.front();
-        stage->options.measure.skips =
-            harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
-        stage->projection = experiment.projection;
+        stage->options.measure.skips = harness::without_skips(harness::skips_of_repeated_drawings(),
+                                                              experiment.compare.skips_off);
+        stage->projection = experiment.stress.projection;
         stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
         plan.add_axis(axis);
-        plan_axis(stage, experiment.points, plan);
+        plan_axis(stage, experiment.stress.points, plan);
     }
 }
 
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     std::vector<studies::Axis> axes;
-    for (const std::string& name : experiment.axes)
+    for (const std::string& name : experiment.stress.axes)
         axes.push_back(studies::find_stress_axis(name));
-    if (axes.empty() && experiment.own_axes.empty()) axes = studies::stress_axes();
-    axes.insert(axes.end(), experiment.own_axes.begin(), experiment.own_axes.end());
+    if (axes.empty() && experiment.stress.own_axes.empty()) axes = studies::stress_axes();
+    axes.insert(axes.end(), experiment.stress.own_axes.begin(), experiment.stress.own_axes.end());
     plan_axes(axes, experiment, trace, plan);
 }
 

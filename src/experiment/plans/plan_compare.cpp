@@ -48,9 +48,9 @@ struct BlockWork {
 /// Samples that a method draws of a pixel, in the mean.
 double mean_samples(const Experiment& experiment) {
     double sum = 0;
-    for (const methods::Antialias antialias : experiment.antialias)
+    for (const methods::Antialias antialias : experiment.compare.antialias)
         sum += std::pow(methods::samples_per_side(antialias), 2);
-    return sum / static_cast<double>(experiment.antialias.size());
+    return sum / static_cast<double>(experiment.compare.antialias.size());
 }
 
 /// Seconds for a block of a view, roughly, on two cores without other work: a part for every cell,
@@ -68,7 +68,7 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const double draw_s = work.is_full ? all_s : std::min(all_s, 0.03);
     const int drawn = work.is_full ? work.cells - harness::kBaselines : work.prepared;
     const double image_s = at.keeps_images ? 0.011 * mpx : 0;
-    const double score_s = (work.is_full && experiment.full_scores ? 0.018 : 0.002) * mpx;
+    const double score_s = (work.is_full && experiment.compare.full_scores ? 0.018 : 0.002) * mpx;
     const double truth_s =
         work.is_full ? 0.1 + 0.2 * mpx + kTruth_s_per_triangle * triangles : 0.003;
     return kShareOfTwoLanes * (work.cells * (0.001 + score_s + image_s) + drawn * draw_s +
@@ -83,9 +83,9 @@ std::vector<method::MethodConfig> settings_of(const ViewBench& bench,
     const auto append = [&settings](std::vector<method::MethodConfig> more) {
         std::move(more.begin(), more.end(), std::back_inserter(settings));
     };
-    for (const SettingGrid& grid : bench.experiment().grids)
+    for (const SettingGrid& grid : bench.experiment().compare.grids)
         if (grid.method == config.info->name) append(grid_configs(config, grid));
-    const auto own_views = static_cast<std::size_t>(bench.experiment().own_sweep_views);
+    const auto own_views = static_cast<std::size_t>(bench.experiment().compare.own_sweep_views);
     if (nth_view < own_views) append(harness::sweep_configs(config));
     std::set<core::ParamValues> known;
     std::erase_if(settings, [&](const method::MethodConfig& made) {
@@ -150,7 +150,7 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
 void add_tables(const ViewBench& bench, const std::vector<std::string>& swept, Plan& plan) {
     plan.add_table(harness::rows_table());
     plan.add_table(harness::cost_table());
-    if (bench.experiment().full_scores) {
+    if (bench.experiment().compare.full_scores) {
         plan.add_table(harness::curves_table());
         plan.add_table(harness::tolerances_table());
         plan.add_table(harness::bins_table());
@@ -183,16 +183,16 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
 }
 
 bool keeps_images(const Experiment& experiment, std::size_t nth_view, bool is_first_place) {
-    if (!is_first_place || !experiment.full_scores) return false;
-    return experiment.images == KeptImages::all ||
-           (experiment.images == KeptImages::first && nth_view == 0);
+    if (!is_first_place || !experiment.compare.full_scores) return false;
+    return experiment.compare.images == KeptImages::all ||
+           (experiment.compare.images == KeptImages::first && nth_view == 0);
 }
 
 /// The motion study beside a comparison: all sequences, of a size of their own.
 Experiment motion_beside(Experiment experiment) {
     experiment.scenes.clear();
     experiment.sizes = {kMotionSize};
-    experiment.frames = kMotionFrames;
+    experiment.animation.frames = kMotionFrames;
     experiment.threads = {experiment.threads.front()};
     return experiment;
 }
@@ -222,8 +222,9 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
             }
         }
     }
-    if (experiment.study_scaling) plan_axes(studies::scaling_axes(), experiment, trace, plan);
-    if (experiment.study_motion) plan_animation(motion_beside(experiment), trace, plan);
+    if (experiment.compare.study_scaling)
+        plan_axes(studies::scaling_axes(), experiment, trace, plan);
+    if (experiment.compare.study_motion) plan_animation(motion_beside(experiment), trace, plan);
 }
 
 }  // namespace ink::experiment

@@ -108,11 +108,8 @@ double work_s(const HardestStudy& study, const StudyBlock& block) {
 void plan_hardest(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     check_study(experiment);
     const auto study = std::make_shared<HardestStudy>(HardestStudy{experiment, trace, {}});
-    study->experiment.images = KeptImages::all;
-    harness::ViewRequest request = experiment.view_request;
-    request.width_px = experiment.sizes.front().width_px;
-    request.height_px = experiment.sizes.front().height_px;
-    study->scenes = harness::load_scenes(experiment.scenes, request);
+    study->experiment.compare.images = KeptImages::all;
+    study->scenes = harness::load_scenes(experiment.scenes, views_of(experiment));
     for (const harness::SceneViews& scene_views : study->scenes)
         plan.add_model(scene_views.scene);
     plan.add_table(harness::rows_table());
