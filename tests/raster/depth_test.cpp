@@ -1,14 +1,11 @@
 #include "raster/depth/depth.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <optional>
 #include <vector>
 
 #include "tests/raster/gather_sink.h"
@@ -99,14 +96,11 @@ TEST(DepthFormat, APassWritesEachFormatByItsFormula) {
     for (const DepthFormat format : {DepthFormat::z24, DepthFormat::z16}) {
         PassFormat pass;
         pass.depth = format;
-        GatherSink<std::uint8_t, std::uint32_t> sink(pass, 8, 8);
-        draw_pass(pass, mesh.input(), 8, 8, 1, sink);
+        const auto drawn = gathered<std::uint8_t, std::uint32_t>(pass, mesh.input(), 8, 8);
         const double steps = format == DepthFormat::z24 ? 16777215 : 65535;
-        EXPECT_EQ(sink.depth.at(3, 3), opengl_depth_turned_over(4, steps));
+        EXPECT_EQ(drawn.depth.at(3, 3), opengl_depth_turned_over(4, steps));
     }
-    GatherSink<std::uint8_t, float> sink({}, 8, 8);
-    draw_pass({}, mesh.input(), 8, 8, 1, sink);
-    EXPECT_EQ(sink.depth.at(3, 3), 0.25F);
+    EXPECT_EQ(gathered<std::uint8_t>({}, mesh.input(), 8, 8).depth.at(3, 3), 0.25F);
 }
 
 /// One column of a floor: the view's middle ray meets it at distance 1 under `angle_rad`.
@@ -155,31 +149,6 @@ TEST(DepthEncodingTable, OnAPlaneTheLaplacianIsZeroExactlyForWhatIsAffineInOneOv
         } else {
             EXPECT_GT(l, 1e-4) << name;
         }
-    }
-}
-
-/// The steepest grazing angle (in steps of 0.1 degrees) at which a floor, quantised to 0..63,
-/// reaches |Laplacian| = 3 somewhere; nothing if it never does down to 0.1 degrees.
-std::optional<double> firing_angle_deg(DepthEncoding encoding) {
-    for (int tenths = 900; tenths >= 1; --tenths) {
-        const std::vector<double> column = Floor::column(tenths * std::numbers::pi / 1800);
-        const double l = largest_laplacian(column, [&](double w) {
-            return std::floor(63 * encode_depth(encoding, w, Floor::kVisible) + 0.5);
-        });
-        if (l >= 3) return tenths / 10.0;
-    }
-    return std::nullopt;
-}
-
-TEST(DepthEncodingTable, AFlatFloorFiresAtGrazingAnglesByEncoding) {
-    std::array<std::optional<double>, kEncodings.size()> angle_deg;
-    for (std::size_t i = 0; i < kEncodings.size(); ++i) {
-        angle_deg[i] = firing_angle_deg(kEncodings[i].encoding);
-        fmt::print("{:<15} {}\n",
-                   kEncodings[i].name,
-                   angle_deg[i] ? fmt::format("fires below {:.1f} degrees", *angle_deg[i])
-                                : "never fires");
-        EXPECT_EQ(angle_deg[i].has_value(), !kEncodings[i].is_affine) << kEncodings[i].name;
     }
 }
 

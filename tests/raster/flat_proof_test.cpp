@@ -5,6 +5,7 @@
 #include <random>
 
 #include "raster/pass/tile_fill.h"
+#include "tests/raster/gather_sink.h"
 
 namespace ink::raster {
 namespace {
@@ -13,25 +14,11 @@ constexpr int kSize_px = 180;  // tiles of 64, 64 and 52 px
 constexpr TileGrid kGrid{kSize_px, kSize_px, 1};
 
 /// Triangles in pixels, w and one value a corner.
-struct Input {
-    std::vector<glm::dvec3> p_clip;
-    std::vector<scene::Triangle> triangles;
-    std::vector<float> values;
-
-    void add(const glm::dvec3& corner, double value) {
-        p_clip.emplace_back(corner.x * corner.z, corner.y * corner.z, corner.z);
+struct ValueMesh : TestMesh {
+    void add_corner(const glm::dvec3& corner, double value) {
+        const std::uint32_t last = add(corner.x, corner.y, corner.z);
         values.push_back(static_cast<float>(value));
-        const auto count = static_cast<std::uint32_t>(p_clip.size());
-        if (count % 3 == 0) triangles.push_back({count - 3, count - 2, count - 1});
-    }
-    [[nodiscard]] PassInput pass() const {
-        PassInput input;
-        input.p_clip = p_clip;
-        input.triangles = triangles;
-        input.values = values;
-        input.near = 0.5;
-        input.far = 20;
-        return input;
+        if (last % 3 == 2) triangles.push_back({last - 2, last - 1, last});
     }
 };
 
@@ -47,8 +34,8 @@ struct Found {
 
 class Bench {
   public:
-    explicit Bench(const Input& scene)
-        : input_(scene.pass()), batches_(1), buffer_(format_, input_, kGrid) {
+    explicit Bench(const ValueMesh& scene)
+        : input_(scene.input()), batches_(1), buffer_(format_, input_, kGrid) {
         set_up_more(format_, input_, {0, 0, kSize_px, kSize_px}, batches_.front());
     }
     Found find(int tile) {
@@ -89,12 +76,12 @@ TEST(FlatProof, HoldsOnlyWhereEveryLaplacianIsAtMostTwo) {
     };
     int flat = 0;
     for (int round = 0; round < 600; ++round) {
-        Input scene;
+        ValueMesh scene;
         for (int corner = 0; corner < 3 * (1 + round % 3); ++corner) {
             const double reach = round % 5 == 0 ? 300 : 4000;
             // Codes beyond the store here and there.
-            scene.add({number(-reach, reach), number(-reach, reach), number(1, 9)},
-                      number(-20, 290));
+            scene.add_corner({number(-reach, reach), number(-reach, reach), number(1, 9)},
+                             number(-20, 290));
         }
         Bench bench(scene);
         const Found found = bench.find(4);  // the one that the frame does not cut
@@ -110,14 +97,14 @@ TEST(FlatProof, HoldsOnlyWhereEveryLaplacianIsAtMostTwo) {
 }
 
 /// A wall over the whole image.
-void add_wall(Input& scene, double w) {
-    scene.add({-900, -900, w}, 100);
-    scene.add({2900, -900, w}, 100);
-    scene.add({-900, 2900, w}, 150);
+void add_wall(ValueMesh& scene, double w) {
+    scene.add_corner({-900, -900, w}, 100);
+    scene.add_corner({2900, -900, w}, 100);
+    scene.add_corner({-900, 2900, w}, 150);
 }
 
 TEST(FlatProof, LooksBehindNothing) {
-    Input scene;
+    ValueMesh scene;
     add_wall(scene, 3);
     add_wall(scene, 2);
     EXPECT_TRUE(Bench(scene).find(4).is_flat);
@@ -125,10 +112,10 @@ TEST(FlatProof, LooksBehindNothing) {
 }
 
 TEST(FlatProof, FailsWhereALineRunsThroughTheTile) {
-    Input scene;
-    scene.add({-900, 100.2, 2}, 100);
-    scene.add({1100, 100.2, 2}, 100);
-    scene.add({100, 1100, 2}, 200);
+    ValueMesh scene;
+    scene.add_corner({-900, 100.2, 2}, 100);
+    scene.add_corner({1100, 100.2, 2}, 100);
+    scene.add_corner({100, 1100, 2}, 200);
     EXPECT_FALSE(Bench(scene).find(4).is_flat);
 }
 

@@ -79,18 +79,11 @@ Pile shifted(double size_px, unsigned seed, bool is_back) {
 std::vector<std::uint32_t> words_of(const PassFormat& format, TileBuffer& buffer) {
     buffer.finish();
     std::vector<std::uint32_t> words;
-    for (int y = buffer.drawn().y0; y < buffer.drawn().y1; ++y) {
-        const Tile tile = buffer.view(false);
-        for (int x = buffer.drawn().x0; x < buffer.drawn().x1; ++x) {
-            const int u = x - tile.x0_px;
-            const int v = y - tile.y0_px;
-            words.push_back(tile.depth_row<std::uint32_t>(v)[u]);
-            if (format.planes() == 0) continue;
-            if (format.store == Store::u8) words.push_back(tile.row<std::uint8_t>(0, v)[u]);
-            if (format.store == Store::u16) words.push_back(tile.row<std::uint16_t>(0, v)[u]);
-            if (format.store == Store::u32) words.push_back(tile.row<std::uint32_t>(0, v)[u]);
-        }
-    }
+    const Tile tile = buffer.view(false);
+    const PixelRect& drawn = buffer.drawn();
+    for (int y = drawn.y0; y < drawn.y1; ++y)
+        for (int x = drawn.x0; x < drawn.x1; ++x)
+            append_words(tile, format, x - tile.x0_px, y - tile.y0_px, words);
     return words;
 }
 

@@ -7,8 +7,8 @@
 
 #include "catalogue/shapes.h"
 #include "core/simd.h"
-#include "gather_sink.h"
 #include "raster/mesh/mesh_pass.h"
+#include "tests/raster/gather_sink.h"
 
 namespace ink::raster {
 namespace {

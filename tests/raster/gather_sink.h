@@ -38,6 +38,32 @@ class GatherSink : public TileSink {
     int plane_count_;
 };
 
+/// One pass on one thread, put together.
+template <class T, class D = float>
+GatherSink<T, D> gathered(const PassFormat& format,
+                          const PassInput& input,
+                          int width_px,
+                          int height_px) {
+    GatherSink<T, D> sink(format, width_px, height_px);
+    draw_pass(format, input, width_px, height_px, 1, sink);
+    return sink;
+}
+
+/// What plane `k` of a tile has at a pixel, whatever it stores.
+inline std::uint32_t word_at(const Tile& tile, Store store, int k, int x, int y) {
+    if (store == Store::u8) return tile.row<std::uint8_t>(k, y)[x];
+    if (store == Store::u16) return tile.row<std::uint16_t>(k, y)[x];
+    return tile.row<std::uint32_t>(k, y)[x];
+}
+
+/// All words of a pixel of a tile: depth and planes.
+inline void append_words(
+    const Tile& tile, const PassFormat& format, int x, int y, std::vector<std::uint32_t>& words) {
+    words.push_back(tile.depth_row<std::uint32_t>(y)[x]);
+    for (int k = 0; k < format.planes(); ++k)
+        words.push_back(word_at(tile, format.store, k, x, y));
+}
+
 /// A sink that wants nothing.
 class IdleSink : public TileSink {
   public:
@@ -87,9 +113,7 @@ inline GatherSink<std::uint32_t> draw_ids(PassInput input, int width_px, int hei
         ids[i] = static_cast<std::uint32_t>(i);
     input.constants = ids;
     input.sky_code = {kNobody};
-    GatherSink<std::uint32_t> sink(id_format(), width_px, height_px);
-    draw_pass(id_format(), input, width_px, height_px, 1, sink);
-    return sink;
+    return gathered<std::uint32_t>(id_format(), input, width_px, height_px);
 }
 
 /// How many triangles cover each pixel, each drawn by itself.

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <numeric>
 
-#include "catalogue/catalogue.h"
 #include "core/simd.h"
-#include "gather_sink.h"
-#include "raster/pass/view_transform.h"
-#include "scene/predicates.h"
+#include "tests/raster/gather_sink.h"
+#include "tests/raster/stage.h"
 
 namespace ink::raster {
 namespace {
@@ -82,17 +81,13 @@ std::vector<Evaluation> evaluations() {
     return result;
 }
 
-/// All that a pass leaves, as bytes in images.
+/// All that a pass leaves, word by word.
 struct Drawn {
-    std::vector<core::Image<float>> numbers;
-    std::vector<core::Image<std::uint16_t>> codes;
-    core::Image<float> depth;
-    core::Image<std::uint32_t> steps;
-    core::Image<std::uint32_t> constants;
-    MeshResult result;
+    core::Image<std::uint32_t> depth{kWidth_px, kHeight_px};
+    std::vector<core::Image<std::uint32_t>> planes;
+
     friend bool operator==(const Drawn& a, const Drawn& b) {
-        return a.numbers == b.numbers && a.codes == b.codes && a.depth == b.depth &&
-               a.steps == b.steps && a.constants == b.constants;
+        return a.depth == b.depth && a.planes == b.planes;
     }
 };
 
@@ -100,104 +95,61 @@ struct Drawn {
 class KeepSink : public TileSink {
   public:
     KeepSink(const PassFormat& format, Drawn& to) : format_(format), to_(to) {
-        const auto planes = static_cast<std::size_t>(format.planes());
-        if (format.store == Store::u32) {
-            to_.constants = core::Image<std::uint32_t>(kWidth_px, kHeight_px);
-        } else if (format.store == Store::f32) {
-            to_.numbers.assign(planes, core::Image<float>(kWidth_px, kHeight_px));
-        } else {
-            to_.codes.assign(planes, core::Image<std::uint16_t>(kWidth_px, kHeight_px));
-        }
-        if (format.depth == DepthFormat::q32) {
-            to_.depth = core::Image<float>(kWidth_px, kHeight_px);
-        } else {
-            to_.steps = core::Image<std::uint32_t>(kWidth_px, kHeight_px);
-        }
+        to_.planes.assign(static_cast<std::size_t>(format.planes()), to_.depth);
     }
     void finish(const Tile& tile) override {
         for (int y = 0; y < tile.height_px; ++y) {
-            for (int x = 0; x < tile.width_px; ++x)
-                keep(tile, x, y);
+            for (int x = 0; x < tile.width_px; ++x) {
+                const int u = tile.x0_px + x, v = tile.y0_px + y;
+                to_.depth.at(u, v) = tile.depth_row<std::uint32_t>(y)[x];
+                for (int k = 0; k < format_.planes(); ++k)
+                    to_.planes[static_cast<std::size_t>(k)].at(u, v) =
+                        word_at(tile, format_.store, k, x, y);
+            }
         }
     }
 
   private:
-    void keep(const Tile& tile, int x, int y) {
-        const int u = tile.x0_px + x;
-        const int v = tile.y0_px + y;
-        if (format_.depth == DepthFormat::q32) {
-            to_.depth.at(u, v) = tile.depth_row<float>(y)[x];
-        } else {
-            to_.steps.at(u, v) = tile.depth_row<std::uint32_t>(y)[x];
-        }
-        for (int k = 0; k < format_.planes(); ++k) {
-            const auto at = static_cast<std::size_t>(k);
-            if (format_.store == Store::u32)
-                to_.constants.at(u, v) = tile.row<std::uint32_t>(k, y)[x];
-            if (format_.store == Store::f32) to_.numbers[at].at(u, v) = tile.row<float>(k, y)[x];
-            if (format_.store == Store::u8)
-                to_.codes[at].at(u, v) = tile.row<std::uint8_t>(k, y)[x];
-            if (format_.store == Store::u16)
-                to_.codes[at].at(u, v) = tile.row<std::uint16_t>(k, y)[x];
-        }
-    }
-
     const PassFormat& format_;
     Drawn& to_;
 };
 
-/// A scene of the catalogue, laid out, and its first view at the test's size.
-struct Stage {
-    scene::Surface surface;
-    LaneMesh mesh;
+/// A stage whose triangles have constants.
+struct PassStage : Stage {
     std::vector<std::uint32_t> ids;   ///< 1 + index of each triangle: its constant
     std::vector<std::uint8_t> bytes;  ///< the same in the order of clusters, if not empty
-    scene::View view;
 
-    explicit Stage(const std::string& name, double nearer = 1) {
-        const scene::Scene made = catalogue::make_catalogue_scene(name);
-        surface = scene::flatten(made, scene::NormalSource::patch, 0.7);
-        mesh = LaneMesh(surface);
+    explicit PassStage(const std::string& name, double nearer = 1)
+        : Stage(name, {kWidth_px, kHeight_px}, nearer) {
         ids.resize(surface.triangles.size());
         std::iota(ids.begin(), ids.end(), 1U);
-        view.camera = made.cameras.front();
-        const scene::Sphere bounds = scene::bounding_sphere(made);
-        view.camera.eye_world =
-            bounds.center_world + (view.camera.eye_world - bounds.center_world) * nearer;
-        scene::fit_clip_range(view.camera, bounds);
-        view.width_px = kWidth_px;
-        view.height_px = kHeight_px;
     }
 
     [[nodiscard]] Drawn draw(const Evaluation& evaluation,
                              int threads,
                              const SkipSet& skips) const {
         const TestValues values(evaluation.format.interpolants, evaluation.scale);
-        MeshInput input;
-        input.mesh = &mesh;
+        MeshInput input = mesh_input(threads, skips);
         input.values = &values;
         if (evaluation.format.constant) {
             input.constants = ids;
             input.constants_in_clusters = bytes;
         }
-        input.view = view;
-        input.threads = threads;
-        input.skips = skips;
         input.offset = evaluation.offset;
         Drawn drawn;
         KeepSink sink(evaluation.format, drawn);
         MeshPass pass;
-        drawn.result = pass.draw(evaluation.format, input, sink);
+        (void)pass.draw(evaluation.format, input, sink);
         return drawn;
     }
 };
 
 const std::vector<std::string> kScenes = {"sphere", "tree", "staircase", "soup", "room"};
 
-TEST(MeshPass, EverySimdTargetAndThreadCountGivesTheSameBits) {
+TEST(MeshPass, SkipsThreadsAndTargetsNeverChangeABit) {
     for (const std::string& name : kScenes) {
         for (const double nearer : {1.0, 0.05}) {
-            const Stage stage(name, nearer);
+            const PassStage stage(name, nearer);
             for (const Evaluation& evaluation : evaluations()) {
                 const Drawn best = stage.draw(evaluation, 1, {});
                 for (const core::SimdTarget& target : core::simd_targets()) {
@@ -207,22 +159,10 @@ TEST(MeshPass, EverySimdTargetAndThreadCountGivesTheSameBits) {
                             << name << " on " << target.name << ", threads " << threads;
                     }
                 }
-            }
-        }
-    }
-}
-
-TEST(MeshPass, SkipsNeverChangeABit) {
-    for (const std::string& name : kScenes) {
-        for (const double nearer : {1.0, 0.05}) {
-            const Stage stage(name, nearer);
-            for (const Evaluation& evaluation : evaluations()) {
-                const Drawn all = stage.draw(evaluation, 1, {});
-                EXPECT_TRUE(stage.draw(evaluation, 1, SkipSet::none()) == all) << name;
+                EXPECT_TRUE(stage.draw(evaluation, 1, SkipSet::none()) == best) << name;
                 for (const SkipInfo& info : skip_infos()) {
-                    SkipSet skips;
-                    skips.set(info.skip, false);
-                    EXPECT_TRUE(stage.draw(evaluation, 1, skips) == all)
+                    const SkipSet skips = SkipSet().set(info.skip, false);
+                    EXPECT_TRUE(stage.draw(evaluation, 1, skips) == best)
                         << name << ' ' << info.name;
                 }
             }
@@ -231,7 +171,7 @@ TEST(MeshPass, SkipsNeverChangeABit) {
 }
 
 TEST(MeshPass, DrawsATriangleThatGainsAnAreaWhenItMoves) {
-    Stage stage("cube");
+    PassStage stage("cube");
     const scene::Surface still = stage.surface;
     for (const std::uint32_t corner : stage.surface.triangles.front())
         stage.surface.p_world[corner] = {0, 0, 0};
@@ -246,17 +186,11 @@ TEST(MeshPass, DrawsATriangleThatGainsAnAreaWhenItMoves) {
 }
 
 /// What draw_pass, the plain pass, makes of a stage's front and back faces.
-Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
-    const ViewTransform transform(stage.view);
-    std::vector<glm::dvec3> p_clip;
-    for (const glm::dvec3& p : stage.surface.p_world)
-        p_clip.push_back(transform.to_clip(p));
-    PassInput input;
-    input.p_clip = p_clip;
+Drawn draw_plainly(const PassStage& stage, const PassFormat& format) {
+    const std::vector<glm::dvec3> p_clip = clip_places(stage.surface, stage.view);
+    PassInput input = plain_input(p_clip, stage.view);
     input.triangles = stage.surface.triangles;
     if (format.constant) input.constants = stage.ids;
-    input.near = stage.view.camera.near;
-    input.far = stage.view.camera.far;
     Drawn drawn;
     KeepSink sink(format, drawn);
     draw_pass(format, input, kWidth_px, kHeight_px, 1, sink);
@@ -265,15 +199,15 @@ Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
 
 TEST(MeshPass, CoversThePixelsThatThePlainPassCoversAtTheSameDepth) {
     for (const std::string& name : kScenes) {
-        const Stage stage(name);
+        const PassStage stage(name);
         const Drawn lanes = stage.draw(evaluations().front(), 1, {});
         const Drawn plain = draw_plainly(stage, evaluations().front().format);
         int covered_px = 0;
         int unlike_px = 0;
         for (int y = 0; y < kHeight_px; ++y) {
             for (int x = 0; x < kWidth_px; ++x) {
-                const float q = lanes.depth.at(x, y);
-                const float expected = plain.depth.at(x, y);
+                const auto q = std::bit_cast<float>(lanes.depth.at(x, y));
+                const auto expected = std::bit_cast<float>(plain.depth.at(x, y));
                 EXPECT_EQ(q > 0, expected > 0) << name << ' ' << x << ' ' << y;
                 covered_px += expected > 0 ? 1 : 0;
                 // At a contour of a solid the plain pass may show a face turned away.
@@ -288,15 +222,15 @@ TEST(MeshPass, CoversThePixelsThatThePlainPassCoversAtTheSameDepth) {
 TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
     for (const std::string& name : kScenes) {
         for (const double nearer : {1.0, 0.05}) {  // from within: triangles are cut
-            const Stage stage(name, nearer);
+            const PassStage stage(name, nearer);
             const Evaluation evaluation = evaluations().back();
-            const Drawn ours = stage.draw(evaluation, 1, {});
-            const Drawn plain = draw_plainly(stage, evaluation.format);
+            const auto ours = stage.draw(evaluation, 1, {}).planes[0];
+            const auto plain = draw_plainly(stage, evaluation.format).planes[0];
             int covered_px = 0;
             int unlike_px = 0;
-            for (std::size_t i = 0; i < plain.constants.size(); ++i) {
-                covered_px += plain.constants.data()[i] != 0 ? 1 : 0;
-                unlike_px += ours.constants.data()[i] != plain.constants.data()[i] ? 1 : 0;
+            for (std::size_t i = 0; i < plain.size(); ++i) {
+                covered_px += plain.data()[i] != 0 ? 1 : 0;
+                unlike_px += ours.data()[i] != plain.data()[i] ? 1 : 0;
             }
             EXPECT_GT(covered_px, 1000) << name;
             // Faces of equal depth and faces turned away are told apart by order alone.
@@ -307,23 +241,23 @@ TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
 
 TEST(MeshPass, NarrowConstantsAreTheLowBitsOfWideOnes) {
     for (const std::string& name : kScenes) {
-        const Stage stage(name, 0.05);
+        const PassStage stage(name, 0.05);
         Evaluation evaluation = evaluations().back();
-        const Drawn lanes = stage.draw(evaluation, 1, {});
-        const Drawn plain = draw_plainly(stage, evaluation.format);
+        const auto lanes = stage.draw(evaluation, 1, {}).planes[0];
+        const auto plain = draw_plainly(stage, evaluation.format).planes[0];
         evaluation.format.store = Store::u8;
-        const Drawn narrow_lanes = stage.draw(evaluation, 1, {});
-        const Drawn narrow_plain = draw_plainly(stage, evaluation.format);
-        for (std::size_t i = 0; i < lanes.constants.size(); ++i) {
-            ASSERT_EQ(narrow_lanes.codes[0].data()[i], lanes.constants.data()[i] & 0xffU);
-            ASSERT_EQ(narrow_plain.codes[0].data()[i], plain.constants.data()[i] & 0xffU);
+        const auto narrow_lanes = stage.draw(evaluation, 1, {}).planes[0];
+        const auto narrow_plain = draw_plainly(stage, evaluation.format).planes[0];
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            ASSERT_EQ(narrow_lanes.data()[i], lanes.data()[i] & 0xffU);
+            ASSERT_EQ(narrow_plain.data()[i], plain.data()[i] & 0xffU);
         }
     }
 }
 
 TEST(MeshPass, ConstantsInTheOrderOfClustersAreTheSame) {
     for (const std::string& name : kScenes) {
-        Stage stage(name);
+        PassStage stage(name);
         for (std::uint32_t& id : stage.ids)
             id &= 0xffU;
         const Evaluation evaluation = evaluations().back();
@@ -338,7 +272,7 @@ TEST(MeshPass, ConstantsInTheOrderOfClustersAreTheSame) {
 /// pixel that shows in the last bits of z24.
 TEST(MeshPass, StepsAreThoseOfThePlainPassButForTheLastBits) {
     for (const std::string& name : kScenes) {
-        const Stage stage(name);
+        const PassStage stage(name);
         for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::z16}) {
             Evaluation evaluation = evaluations().front();
             evaluation.format.depth = depth;
@@ -351,8 +285,8 @@ TEST(MeshPass, StepsAreThoseOfThePlainPassButForTheLastBits) {
             int beyond_many_px = 0;
             for (int y = 0; y < kHeight_px; ++y) {
                 for (int x = 0; x < kWidth_px; ++x) {
-                    const auto step = static_cast<int>(lanes.steps.at(x, y));
-                    const auto expected = static_cast<int>(plain.steps.at(x, y));
+                    const auto step = static_cast<int>(lanes.depth.at(x, y));
+                    const auto expected = static_cast<int>(plain.depth.at(x, y));
                     EXPECT_EQ(step > 0, expected > 0) << name << ' ' << x << ' ' << y;
                     EXPECT_LE(step, depth == DepthFormat::z24 ? 0xffffff : 0xffff);
                     covered_px += expected > 0 ? 1 : 0;

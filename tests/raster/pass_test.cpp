@@ -36,12 +36,9 @@ TEST(DrawPass, ATieIsATieOfTheDepthFormat) {
     PassInput input = mesh.input();
     input.constants = ids;
     PassFormat format = id_format();
-    GatherSink<std::uint32_t> exact(format, 8, 8);
-    draw_pass(format, input, 8, 8, 1, exact);
-    EXPECT_EQ(exact.planes[0].at(3, 3), 1U);
+    EXPECT_EQ(gathered<std::uint32_t>(format, input, 8, 8).planes[0].at(3, 3), 1U);
     format.depth = DepthFormat::z16;
-    GatherSink<std::uint32_t, std::uint32_t> coarse(format, 8, 8);
-    draw_pass(format, input, 8, 8, 1, coarse);
+    const auto coarse = gathered<std::uint32_t, std::uint32_t>(format, input, 8, 8);
     EXPECT_EQ(coarse.planes[0].at(3, 3), 0U);
 }
 

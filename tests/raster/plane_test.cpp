@@ -27,9 +27,7 @@ TestMesh plane_over(int size_px, double at_zero, double per_x, double per_y) {
 
 template <class T>
 core::Image<T> draw_codes(const PassFormat& format, const TestMesh& mesh, int size_px) {
-    GatherSink<T> sink(format, size_px, size_px);
-    draw_pass(format, mesh.input(), size_px, size_px, 1, sink);
-    return sink.planes[0];
+    return gathered<T>(format, mesh.input(), size_px, size_px).planes[0];
 }
 
 /// The Laplacian modulo the range of T, nearest to 0.
@@ -139,23 +137,20 @@ TEST(CodePlane, TheTrianglesConstantIsAdded) {
     PassInput input = mesh.input();
     const std::vector<std::uint32_t> constants{250};
     input.constants = constants;
-    GatherSink<std::uint8_t> sink(format, 8, 8);
-    draw_pass(format, input, 8, 8, 1, sink);
-    EXPECT_EQ(sink.planes[0].at(3, 3), (20 + 250) & 255);
-
-    format.interpolation = Interpolation::perspective;
-    draw_pass(format, input, 8, 8, 1, sink);
-    EXPECT_EQ(sink.planes[0].at(3, 3), (20 + 250) & 255);
+    for (const auto interpolation : {Interpolation::affine, Interpolation::perspective}) {
+        format.interpolation = interpolation;
+        const auto drawn = gathered<std::uint8_t>(format, input, 8, 8);
+        EXPECT_EQ(drawn.planes[0].at(3, 3), (20 + 250) & 255);
+    }
 }
 
 TEST(CodePlane, TwoInterpolantsFillTwoPlanes) {
     TestMesh mesh = plane_over(8, 0, 0, 0);
     mesh.values = {3.5F, 40.5F, 3.5F, 40.5F, 3.5F, 40.5F};
     const PassFormat format = code_format(Store::u8, Overflow::saturate, 2);
-    GatherSink<std::uint8_t> sink(format, 8, 8);
-    draw_pass(format, mesh.input(), 8, 8, 1, sink);
-    EXPECT_EQ(sink.planes[0].at(4, 4), 3);
-    EXPECT_EQ(sink.planes[1].at(4, 4), 40);
+    const auto drawn = gathered<std::uint8_t>(format, mesh.input(), 8, 8);
+    EXPECT_EQ(drawn.planes[0].at(4, 4), 3);
+    EXPECT_EQ(drawn.planes[1].at(4, 4), 40);
 }
 
 TEST(CodePlane, TheLemmaHoldsWhereSnappingPutsARowJustOutsideTheUnsnappedTriangle) {
@@ -199,11 +194,10 @@ TEST(FloatPlane, ASliverStaysWithinTheValuesOfItsCorners) {
     for (const auto interpolation : {Interpolation::affine, Interpolation::perspective}) {
         PassFormat format = code_format(Store::f32, Overflow::saturate, 4);
         format.interpolation = interpolation;
-        GatherSink<float> sink(format, 64, 64);
-        draw_pass(format, mesh.input(), 64, 64, 1, sink);
+        const auto drawn = gathered<float>(format, mesh.input(), 64, 64);
         for (int x = 1; x < 59; ++x) {
-            EXPECT_GE(sink.planes[2].at(x, 3), 0.25F);
-            EXPECT_LE(sink.planes[2].at(x, 3), 0.75F);
+            EXPECT_GE(drawn.planes[2].at(x, 3), 0.25F);
+            EXPECT_LE(drawn.planes[2].at(x, 3), 0.75F);
         }
     }
 }
@@ -233,12 +227,10 @@ TestMesh leaving_quad() {
 
 TEST(Interpolation, AffineIsLinearOnTheScreenAndPerspectiveOnTheSurface) {
     PassFormat format = code_format(Store::f32, Overflow::saturate, 4);
-    GatherSink<float> affine(format, 32, 32);
-    draw_pass(format, leaving_quad().input(), 32, 32, 1, affine);
-    format.interpolation = Interpolation::perspective;
-    GatherSink<float> perspective(format, 32, 32);
     const TestMesh mesh = leaving_quad();
-    draw_pass(format, mesh.input(), 32, 32, 1, perspective);
+    const auto affine = gathered<float>(format, mesh.input(), 32, 32);
+    format.interpolation = Interpolation::perspective;
+    const auto perspective = gathered<float>(format, mesh.input(), 32, 32);
     for (int y = 0; y < 32; ++y) {
         const double t = (y + 0.5) / 32;
         const double on_surface = (t / 4) / ((1 - t) + t / 4);
@@ -265,14 +257,12 @@ TEST(Interpolation, AffineAfterNearClippingIsLinearFromTheCut) {
     TestMesh mesh = leaving_quad();
     for (int v = 0; v < 2; ++v)
         mesh.p_clip[static_cast<std::size_t>(v)].z = -3;
-    PassInput input = mesh.input();
-    PassFormat format = code_format(Store::f32, Overflow::saturate, 4);
-    GatherSink<float> sink(format, 32, 64);
-    draw_pass(format, input, 32, 64, 1, sink);
+    const PassFormat format = code_format(Store::f32, Overflow::saturate, 4);
+    const auto drawn = gathered<float>(format, mesh.input(), 32, 64);
     // In clip space: y = 128 t, w = -3 + 7 t. Cut at t = 1/2: y_px = 128, value 1/2; ends at 32
     // px, 1.
     for (int y = 32; y < 64; ++y)
-        EXPECT_NEAR(sink.planes[0].at(16, y), 1 - 0.5 * (y + 0.5 - 32) / 96, 1e-6) << y;
+        EXPECT_NEAR(drawn.planes[0].at(16, y), 1 - 0.5 * (y + 0.5 - 32) / 96, 1e-6) << y;
 }
 
 TEST(PassInput, TrianglesSeenFromTheBackUseTheirOwnValues) {
@@ -286,10 +276,9 @@ TEST(PassInput, TrianglesSeenFromTheBackUseTheirOwnValues) {
     input.values_back = back;
     input.facing = facing;
     const PassFormat format = code_format(Store::u8, Overflow::saturate);
-    GatherSink<std::uint8_t> sink(format, 8, 8);
-    draw_pass(format, input, 8, 8, 1, sink);
-    EXPECT_EQ(sink.planes[0].at(0, 0), 10);
-    EXPECT_EQ(sink.planes[0].at(7, 7), 20);
+    const auto drawn = gathered<std::uint8_t>(format, input, 8, 8);
+    EXPECT_EQ(drawn.planes[0].at(0, 0), 10);
+    EXPECT_EQ(drawn.planes[0].at(7, 7), 20);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/simd.h"
 #include "raster/pass/triangle_stage.h"
+#include "tests/raster/gather_sink.h"
 
 namespace ink::raster {
 namespace {
@@ -49,10 +50,7 @@ std::vector<Case> cases() {
 }
 
 /// Triangles of all sizes, thin ones among them, some far beyond the image.
-struct Input {
-    std::vector<glm::dvec3> p_clip;
-    std::vector<scene::Triangle> triangles;
-    std::vector<float> values;
+struct Input : TestMesh {
     std::vector<std::uint32_t> constants;
 
     explicit Input(const Case& made) {
@@ -74,14 +72,9 @@ struct Input {
         }
     }
     [[nodiscard]] PassInput pass() const {
-        PassInput input;
-        input.p_clip = p_clip;
-        input.triangles = triangles;
-        input.values = values;
-        input.constants = constants;
-        input.near = 0.5;
-        input.far = 20;
-        return input;
+        PassInput pass = input();
+        pass.constants = constants;
+        return pass;
     }
 };
 

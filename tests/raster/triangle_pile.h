@@ -8,6 +8,7 @@
 
 #include "raster/mesh/lane_triangles.h"
 #include "raster/pass/tile_buffer.h"
+#include "tests/raster/gather_sink.h"
 
 namespace ink::raster {
 
@@ -62,7 +63,7 @@ struct Pile {
     [[nodiscard]] LaneSource source() const { return {&slot, records.data()}; }
 };
 
-/// What fill_lanes leaves of the triangles in an empty tile: depth and planes, row by row.
+/// What fill_lanes leaves of the triangles in an empty tile: depth and planes, pixel by pixel.
 inline std::vector<std::uint32_t> drawn_words(const PassFormat& format,
                                               const LaneTriangles& triangles) {
     const TileGrid grid{kSide_px, kSide_px, 0};
@@ -74,19 +75,9 @@ inline std::vector<std::uint32_t> drawn_words(const PassFormat& format,
     buffer.finish();
     const Tile tile = buffer.view(false);
     std::vector<std::uint32_t> words;
-    const auto add = [&words](const auto* row) { words.insert(words.end(), row, row + kSide_px); };
-    for (int y = 0; y < kSide_px; ++y) {
-        add(tile.depth_row<std::uint32_t>(y));
-        for (int k = 0; k < format.planes(); ++k) {
-            if (format.store == Store::u8) {
-                add(tile.row<std::uint8_t>(k, y));
-            } else if (format.store == Store::u16) {
-                add(tile.row<std::uint16_t>(k, y));
-            } else {
-                add(tile.row<std::uint32_t>(k, y));
-            }
-        }
-    }
+    for (int y = 0; y < kSide_px; ++y)
+        for (int x = 0; x < kSide_px; ++x)
+            append_words(tile, format, x, y, words);
     return words;
 }
 

@@ -8,12 +8,11 @@
 
 #include "catalogue/shapes.h"
 #include "core/simd.h"
-#include "gather_sink.h"
-#include "raster/mesh/mesh_pass.h"
 #include "raster/mesh/mesh_view.h"
-#include "raster/pass/view_transform.h"
 #include "scene/predicates.h"
 #include "scene/views/framing.h"
+#include "tests/raster/gather_sink.h"
+#include "tests/raster/stage.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::raster {
@@ -43,7 +42,6 @@ class Holed {
         std::iota(ids_.begin(), ids_.end(), 0U);
     }
 
-    [[nodiscard]] const scene::Surface& surface() const { return surface_; }
     [[nodiscard]] const scene::Clusters& clusters() const { return mesh_.clusters(); }
     [[nodiscard]] const scene::Sphere& bounds() const { return bounds_; }
 
@@ -72,15 +70,9 @@ class Holed {
     }
 
     [[nodiscard]] Compared compare(const scene::View& view) const {
-        const ViewTransform transform(view);
-        std::vector<glm::dvec3> p_clip;
-        for (const glm::dvec3& p : surface_.p_world)
-            p_clip.push_back(transform.to_clip(p));
-        PassInput plain;
-        plain.p_clip = p_clip;
+        const std::vector<glm::dvec3> p_clip = clip_places(surface_, view);
+        PassInput plain = plain_input(p_clip, view);
         plain.triangles = surface_.triangles;
-        plain.near = view.camera.near;
-        plain.far = view.camera.far;
         const auto expected = draw_ids(plain, kWidth_px, kHeight_px).planes[0];
         MeshResult result;
         const auto drawn = draw(view, {}, 1, &result);
@@ -105,7 +97,6 @@ class Holed {
         return compared;
     }
 
-  private:
     [[nodiscard]] MeshInput input_of(const scene::View& view) const {
         MeshInput input;
         input.mesh = &mesh_;
@@ -114,6 +105,8 @@ class Holed {
         input.sky_code = {kNobody};
         return input;
     }
+
+  private:
     [[nodiscard]] bool is_back(std::uint32_t id, const scene::View& view) const {
         if (id == kNobody) return false;
         const auto& [a, b, c] = surface_.triangles[id];
@@ -220,16 +213,9 @@ TEST(Windows, OfAnEyeInsideOrCutByTheNearPlaneHideNothing) {
     EXPECT_GT(inside.back_px, 1000U);
     scene::View cut = holed.view_from({0, 0.3, -3}, {0, 0, 0});
     cut.camera.near = 2.5;
-    EXPECT_FALSE(view_solids([&] {
-                     MeshInput input;
-                     static LaneMesh mesh;
-                     mesh = LaneMesh(holed.surface());
-                     input.mesh = &mesh;
-                     input.view = cut;
-                     input.bounds = {{0, 0, 0}, 2};
-                     return input;
-                 }())[0]
-                     .hides_backs);
+    MeshInput input = holed.input_of(cut);
+    input.bounds = {{0, 0, 0}, 2};
+    EXPECT_FALSE(view_solids(input)[0].hides_backs);
     EXPECT_EQ(holed.compare(cut).lost_px, 0U);
 }
 
