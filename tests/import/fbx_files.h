@@ -145,6 +145,7 @@ inline Node property(const std::string& name, int number) {
 /// A scene whose objects are made one by one.
 struct File {
     std::int64_t version = 7400;
+    std::vector<Node> settings{};
     std::vector<Node> definitions{};
     std::vector<Node> objects{};
     std::vector<Node> links{};
@@ -166,12 +167,18 @@ struct File {
                        const std::string& kind = "Mesh") {
         return add(parent, "Model", name, kind, {{"Properties70", {}, properties}});
     }
+    void attribute(std::int64_t model,
+                   const std::string& kind,
+                   const std::vector<Node>& properties) {
+        add(model, "NodeAttribute", kind, kind, {{"Properties70", {}, properties}});
+    }
     void link(std::int64_t child, std::int64_t parent) {
         links.push_back({"C", {"OO", child, parent}});
     }
 
     [[nodiscard]] std::vector<Node> elements() const {
         return {{"FBXHeaderExtension", {}, {{"FBXVersion", {version}}}},
+                {"GlobalSettings", {}, {{"Properties70", {}, settings}}},
                 {"Definitions", {}, definitions},
                 {"Objects", {}, objects},
                 {"Connections", {}, links}};

@@ -13,7 +13,7 @@
 #include "tests/core/error_text.h"
 #include "tests/import/fbx_files.h"
 #include "tests/import/model_files.h"
-#include "tests/import/scene_files.h"
+#include "tests/import/solids.h"
 
 namespace ink::import {
 namespace {
@@ -31,12 +31,15 @@ using testing::IsEmpty;
 using Whole = std::vector<std::int32_t>;
 using FbxFiles = ModelFiles;
 
-/// All corners of all objects, in the world.
-std::vector<glm::dvec3> corners_of(const ImportReply& reply) {
+/// All corners of all triangles, in the world.
+std::vector<glm::dvec3> corners_in(const ImportReply& reply) {
     std::vector<glm::dvec3> corners;
-    for (const ImportedInstance& instance : reply.instances)
-        for (const glm::dvec3& p : reply.meshes[instance.mesh].positions)
-            corners.emplace_back(instance.world_from_object * glm::dvec4(p, 1));
+    for (const ImportedInstance& instance : reply.instances) {
+        const ImportedMesh& mesh = reply.meshes[instance.mesh];
+        for (const scene::Triangle& triangle : mesh.triangles)
+            for (const std::uint32_t v : triangle)
+                corners.emplace_back(instance.world_from_object * glm::dvec4(mesh.positions[v], 1));
+    }
     return corners;
 }
 
@@ -45,7 +48,7 @@ ImportReply read(const File& file, const ImportChoice& choice = {}) {
     ImportReply reply = read_fbx_bytes(file.text(), choice);
     for (const fbx::Form form : {fbx::Form{}, {.is_wide = true}, {.is_packed = true}}) {
         const ImportReply other = read_fbx_bytes(file.bytes(form), choice);
-        EXPECT_EQ(corners_of(other), corners_of(reply));
+        EXPECT_EQ(corners_in(other), corners_in(reply));
         EXPECT_EQ(other.notes, reply.notes);
     }
     return reply;
@@ -54,14 +57,7 @@ ImportReply read(const File& file, const ImportChoice& choice = {}) {
 void expect_box(const std::vector<glm::dvec3>& corners,
                 const glm::dvec3& low,
                 const glm::dvec3& high) {
-    ASSERT_FALSE(corners.empty());
-    glm::dvec3 least = corners[0], most = corners[0];
-    for (const glm::dvec3& p : corners) {
-        least = glm::min(least, p);
-        most = glm::max(most, p);
-    }
-    EXPECT_LT(glm::length(least - low), 1e-9) << least.x << ' ' << least.y << ' ' << least.z;
-    EXPECT_LT(glm::length(most - high), 1e-9) << most.x << ' ' << most.y << ' ' << most.z;
+    expect_box(solid_of(corners), low, high, 1e-9);
 }
 
 std::string refusal_of(const File& file) {
@@ -120,7 +116,7 @@ TEST(FbxModels, StandByAllPartsOfTheirTransform) {
 }
 
 TEST(FbxModels, OfSphericRotationsAreRefusedWhereItMatters) {
-    expect_box(corners_of(read(
+    expect_box(corners_in(read(
                    box_file({property("RotationOrder", 6), property("Lcl Rotation", {90, 0, 0})}))),
                {0, -3, 0},
                {1, 0, 2});
@@ -140,7 +136,7 @@ TEST(FbxModels, TakeOnScalesAsInheritTypeSays) {
                             property("Lcl Translation", {1, 0, 0}),
                             property("Lcl Scaling", {1, 1, 5}),
                             property("InheritType", inherit)}));
-        return corners_of(read(file));
+        return corners_in(read(file));
     };
     // Turned, the box is 2 wide and 1 high: from -2 to 0, and what stands in its parent at 1 is
     // at 10.
@@ -158,11 +154,11 @@ TEST(FbxModels, ComeBelowTheirParentsWhoseGeometricTransformIsTheirOwn) {
                                    property("GeometricRotation", {0, 0, 90}),
                                    property("GeometricScaling", {2, 1, 1})});
     add_box(file, above);
-    expect_box(corners_of(read(file)), {48, 0, 100}, {50, 2, 103});
+    expect_box(corners_in(read(file)), {48, 0, 100}, {50, 2, 103});
     File below;
     const auto parent = below.model(0, "above", {property("GeometricTranslation", {50, 0, 0})});
     add_box(below, below.model(parent, "box"));
-    expect_box(corners_of(read(below)), {0, 0, 0}, {1, 2, 3});
+    expect_box(corners_in(read(below)), {0, 0, 0}, {1, 2, 3});
 }
 
 TEST(FbxModels, HaveTheDefaultsOfTheirKind) {
@@ -172,7 +168,7 @@ TEST(FbxModels, HaveTheDefaultsOfTheirKind) {
                          {{"PropertyTemplate",
                            {"FbxNode"},
                            {{"Properties70", {}, {property("Lcl Translation", {5, 0, 0})}}}}}}};
-    expect_box(corners_of(read(file)), {5, 0, 0}, {6, 2, 3});
+    expect_box(corners_in(read(file)), {5, 0, 0}, {6, 2, 3});
 }
 
 TEST(FbxModels, ThatGoRoundAreReadOnce) {
@@ -220,7 +216,7 @@ TEST_F(FbxFiles, WithKeysStandAsTheirModelsDo) {
              "",
              {{"KeyTime", {Numbers{0, 46186158000}}}, {"KeyValueFloat", {Numbers{0, 90}}}});
     const ImportReply reply = read(file);
-    expect_box(corners_of(reply), {0, -3, 0}, {1, 0, 2});
+    expect_box(corners_in(reply), {0, -3, 0}, {1, 0, 2});
     EXPECT_EQ(reply.animation, std::nullopt);
     EXPECT_THAT(reply.notes, ElementsAre(HasSubstr("read at rest alone (for motion: glTF")));
     const auto path = write("keys.fbx", file.text());
@@ -270,7 +266,7 @@ File blended(double percent, const Numbers& full_weights) {
 TEST(FbxShapes, CountByTheirPercentage) {
     const auto height = [](double percent, const Numbers& full_weights) {
         double most = 0;
-        for (const glm::dvec3& p : corners_of(read(blended(percent, full_weights))))
+        for (const glm::dvec3& p : corners_in(read(blended(percent, full_weights))))
             most = std::max(most, p.y);
         return most;
     };
@@ -333,13 +329,13 @@ const Whole kAll{0, 1, 2, 3, 4, 5, 6, 7};
 
 TEST(FbxSkins, StandAsTheirBonesDo) {
     // 7..8, 0..2 of the world was -10..-8 along the bone's y, which points along -x.
-    expect_box(corners_of(read(skinned({kAll, Numbers(8, 1)}))), {8, 22, 0}, {10, 23, 3});
-    expect_box(corners_of(read(skinned({kAll, Numbers(8, .25)}))), {8, 22, 0}, {10, 23, 3});
+    expect_box(corners_in(read(skinned({kAll, Numbers(8, 1)}))), {8, 22, 0}, {10, 23, 3});
+    expect_box(corners_in(read(skinned({kAll, Numbers(8, .25)}))), {8, 22, 0}, {10, 23, 3});
     // Points without a weight stand as the mesh does.
-    expect_box(corners_of(read(skinned({{0, 1, 4, 5}, Numbers(4, 1)}))), {7, 2, 0}, {10, 23, 3});
+    expect_box(corners_in(read(skinned({{0, 1, 4, 5}, Numbers(4, 1)}))), {7, 2, 0}, {10, 23, 3});
     // A half of the way, the other half with the mesh: 7..8, 0 goes to 10, 22..23.
     expect_box(
-        corners_of(read(skinned({kAll, Numbers(8, .5), "Total1"}))), {7.5, 11, 0}, {9, 12.5, 3});
+        corners_in(read(skinned({kAll, Numbers(8, .5), "Total1"}))), {7.5, 11, 0}, {9, 12.5, 3});
 }
 
 TEST(FbxSkins, TurnNormalsWithTheirBones) {
@@ -362,7 +358,7 @@ TEST(FbxSkins, BendWhatShapesHaveMade) {
     const auto channel =
         file.add(blend, "Deformer", "c", "BlendShapeChannel", {{"DeformPercent", {50.0}}});
     file.add(channel, "Geometry", "s", "Shape", taller());
-    expect_box(corners_of(read(file)), {7, 22, 0}, {10, 23, 3});
+    expect_box(corners_in(read(file)), {7, 22, 0}, {10, 23, 3});
 }
 
 TEST(FbxSkins, ThatBlendOtherwiseAreRefused) {
@@ -370,7 +366,7 @@ TEST(FbxSkins, ThatBlendOtherwiseAreRefused) {
                 HasSubstr("Deformer \"c\": the link mode Additive is not read"));
     // One bone alone bends nothing.
     File file = skinned({kAll, Numbers(8, 1)}, "DualQuaternion");
-    expect_box(corners_of(read(file)), {8, 22, 0}, {10, 23, 3});
+    expect_box(corners_in(read(file)), {8, 22, 0}, {10, 23, 3});
     const auto skin = std::get<std::int64_t>(file.objects[2].values[0]);
     const auto other = file.add(skin,
                                 "Deformer",
@@ -411,7 +407,7 @@ TEST(FbxMeshes, SayWhatIsNotDrawn) {
     file.add(0, "Constraint", "aim", "Aim");
     file.add(file.model(0, "levels"), "NodeAttribute", "", "LodGroup");
     const ImportReply reply = read(file);
-    expect_box(corners_of(reply), {0, 0, 0}, {1, 2, 3});
+    expect_box(corners_in(reply), {0, 0, 0}, {1, 2, 3});
     EXPECT_THAT(reply.notes,
                 ElementsAre("1 curve without a surface: left out",
                             "1 face of less than 3 corners: left out",
@@ -429,20 +425,14 @@ TEST(FbxMeshes, HaveTheMaterialsOfTheirPolygons) {
         {{"LayerElementMaterial",
           {std::int64_t{0}},
           {{"MappingInformationType", {"ByPolygon"}}, {"Materials", {Whole{1, 0, 1, 0, 7, 0}}}}}});
-    file.add(model,
-             "Material",
-             "red",
-             "",
-             {{"Properties70", {}, {property("DiffuseColor", {1, 0, 0})}}});
-    file.add(model,
-             "Material",
-             "glass",
-             "",
-             {{"Properties70",
-               {},
-               {property("DiffuseColor", {0, 0, 1}),
-                property("DiffuseFactor", Numbers{.5}),
-                property("Opacity", Numbers{.25})}}});
+    const auto material = [&](const char* name, const std::vector<Node>& properties) {
+        file.add(model, "Material", name, "", {{"Properties70", {}, properties}});
+    };
+    material("red", {property("DiffuseColor", {1, 0, 0})});
+    material("glass",
+             {property("DiffuseColor", {0, 0, 1}),
+              property("DiffuseFactor", Numbers{.5}),
+              property("Opacity", Numbers{.25})});
     const ImportReply reply = read(file);
     ASSERT_EQ(reply.meshes.size(), 1U);
     const std::vector<MeshPart>& parts = reply.meshes[0].parts;
@@ -464,7 +454,7 @@ TEST(FbxMeshes, AreSharedByTheirModels) {
     EXPECT_EQ(reply.meshes.size(), 1U);
     ASSERT_EQ(reply.instances.size(), 2U);
     EXPECT_EQ(reply.instances[1].name, "two");
-    expect_box(corners_of(reply), {0, 0, 0}, {6, 2, 3});
+    expect_box(corners_in(reply), {0, 0, 0}, {6, 2, 3});
 }
 
 TEST(FbxMeshes, HaveNormalsByCornerPointOrPolygon) {
@@ -537,23 +527,30 @@ TEST(FbxTree, TakesNumbersAsTheyAreWritten) {
     text.replace(at,
                  before.size(),
                  "Vertices: *24 { ; a comment\n\ta: 1e-999,-0.5000000000000000000000000001,\n0\n,");
-    EXPECT_EQ(corners_of(read_fbx_bytes(text, {}))[0], glm::dvec3(0, -0.5, 0));
+    EXPECT_EQ(corners_in(read_fbx_bytes(text, {}))[0], glm::dvec3(0, -0.5, 0));
 }
 
 // ---- Axes, units and cameras ----------------------------------------------------------------
 
 TEST(FbxAxes, AreHeeded) {
     const auto expect_axes =
-        [&](const FbxFile& file, const glm::dvec3& low, const glm::dvec3& high) {
-            expect_box(corners_of(read_fbx_bytes(file.text(), {})), low, high);
+        [&](const std::vector<Node>& settings, const glm::dvec3& low, const glm::dvec3& high) {
+            File file = box_file();
+            file.settings = settings;
+            expect_box(corners_in(read(file)), low, high);
         };
-    expect_axes({}, {0, 0, 0}, {1, 2, 3});
-    const FbxFile z_up{.up = 2, .front = 1, .front_sign = -1};
-    expect_axes(z_up, {0, 0, -2}, {1, 3, 0});
-    const FbxFile x_up{.up = 0, .front = 2, .front_sign = -1, .right = 1};
-    expect_axes(x_up, {-2, 0, 0}, {0, 1, 3});
-    const FbxFile inches{.unit = 2.54};
-    expect_axes(inches, {0, 0, 0}, {2.54, 5.08, 7.62});
+    const auto axes = [](int up, int front, int front_sign, int right) {
+        return std::vector{property("UpAxis", up),
+                           property("UpAxisSign", 1),
+                           property("FrontAxis", front),
+                           property("FrontAxisSign", front_sign),
+                           property("CoordAxis", right),
+                           property("CoordAxisSign", 1)};
+    };
+    expect_axes(axes(1, 2, 1, 0), {0, 0, 0}, {1, 2, 3});
+    expect_axes(axes(2, 1, -1, 0), {0, 0, -2}, {1, 3, 0});
+    expect_axes(axes(0, 2, -1, 1), {-2, 0, 0}, {0, 1, 3});
+    expect_axes({property("UnitScaleFactor", Numbers{2.54})}, {0, 0, 0}, {2.54, 5.08, 7.62});
 }
 
 TEST(FbxAxes, TurnUpToYAndKeepTheHand) {
@@ -580,15 +577,23 @@ TEST(FbxAxes, ThoseThatAreNoneChangeNothing) {
 }
 
 TEST_F(FbxFiles, OrthographicCamerasAreAsHighAsTheirZoom) {
-    const auto height = [&](const FbxFile& file) {
+    const auto height = [&](int projection, double zoom, double unit) {
+        File file = box_file();
+        file.settings = {property("UnitScaleFactor", Numbers{unit})};
+        const auto eye = file.model(0, "Eye", {property("Lcl Translation", {0, 1, 10})}, "Camera");
+        file.attribute(eye,
+                       "Camera",
+                       {property("FieldOfView", Numbers{40}),
+                        property("CameraProjectionType", projection),
+                        property("OrthoZoom", Numbers{zoom})});
         const scene::Scene scene = import_scene(write("cam.fbx", file.text()));
         EXPECT_EQ(scene.cameras.size(), 1U);
         return scene.cameras.at(0).height_world;
     };
-    EXPECT_EQ(height({.camera = 0}), 0) << "a pinhole";
-    EXPECT_NEAR(height({.camera = 1}), 30, 1e-9);
-    EXPECT_NEAR(height({.camera = 1, .zoom = 0.25}), 7.5, 1e-9);
-    EXPECT_NEAR(height({.unit = 2.54, .camera = 1, .zoom = 0.25}), 19.05, 1e-6) << "in cm";
+    EXPECT_EQ(height(0, 1, 1), 0) << "a pinhole";
+    EXPECT_NEAR(height(1, 1, 1), 30, 1e-9);
+    EXPECT_NEAR(height(1, 0.25, 1), 7.5, 1e-9);
+    EXPECT_NEAR(height(1, 0.25, 2.54), 19.05, 1e-6) << "in cm";
 }
 
 }  // namespace

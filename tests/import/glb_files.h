@@ -1,17 +1,10 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include "scene/scene.h"
 
 namespace ink::import {
 
@@ -120,34 +113,6 @@ inline void animate(GlbFile& file,
                  {"output", output},
                  {"interpolation", interpolation}}}},
               {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}});
-}
-
-/// A box round the triangles of some instances of a scene, in the file's coordinates.
-struct WorldBox {
-    glm::dvec3 low{1e300};
-    glm::dvec3 high{-1e300};
-};
-
-inline WorldBox box_of(const scene::Scene& scene, const std::string& name = {}) {
-    WorldBox box;
-    for (const scene::Instance& instance : scene.instances) {
-        if (!name.empty() && instance.name != name) continue;
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        for (const scene::Triangle& triangle : mesh.triangles)
-            for (const std::uint32_t v : triangle) {
-                const glm::dvec3 p = scene.origin + scene::to_world(instance, mesh.positions[v]);
-                box.low = glm::min(box.low, p);
-                box.high = glm::max(box.high, p);
-            }
-    }
-    return box;
-}
-
-inline void expect_box(const WorldBox& box, const glm::dvec3& low, const glm::dvec3& high) {
-    EXPECT_LT(glm::length(box.low - low), 1e-6)
-        << box.low.x << ' ' << box.low.y << ' ' << box.low.z;
-    EXPECT_LT(glm::length(box.high - high), 1e-6)
-        << box.high.x << ' ' << box.high.y << ' ' << box.high.z;
 }
 
 }  // namespace ink::import

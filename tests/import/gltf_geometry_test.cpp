@@ -5,6 +5,7 @@
 #include "scene/topology.h"
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
+#include "tests/import/solids.h"
 
 namespace ink::import {
 namespace {
@@ -26,7 +27,7 @@ GlbFile quantised_cube(int size, const Json& more, double scale) {
 
 TEST_F(GltfGeometry, IntegersArePositions) {
     const auto check = [&](const GlbFile& file) {
-        expect_box(box_of(import_scene(write("q.glb", file.bytes()))), {0, 0, 0}, {2, 2, 2});
+        expect_box(solid_of(import_scene(write("q.glb", file.bytes()))), {0, 0, 0}, {2, 2, 2});
     };
     check(quantised_cube<std::int8_t>(127, kUnits, 2));
     check(quantised_cube<std::uint8_t>(255, kUnits, 2));
@@ -44,7 +45,7 @@ TEST_F(GltfGeometry, RowsMayLieApart) {
     const std::size_t view = file.view(rows.substr(0, rows.size() - 1));
     file.json["bufferViews"][view]["byteStride"] = 4;
     file.json["accessors"][0]["bufferView"] = view;
-    expect_box(box_of(import_scene(write("q.glb", file.bytes()))), {0, 0, 0}, {1, 1, 1});
+    expect_box(solid_of(import_scene(write("q.glb", file.bytes()))), {0, 0, 0}, {1, 1, 1});
 }
 
 TEST_F(GltfGeometry, SparseValuesReplaceTheBaseOrZeros) {
@@ -167,8 +168,8 @@ TEST_F(GltfGeometry, NamesAreUtf8) {
     file.put("nodes", {{"mesh", 0}, {"name", "Gr\u00f6\u00dfe"}});
     file.put("nodes", {{"mesh", 0}, {"name", "\u5e73\u9762"}, {"translation", {3, 0, 0}}});
     const scene::Scene scene = import_scene(write("uni.glb", file.bytes()));
-    expect_box(box_of(scene, "Gr\u00f6\u00dfe"), {0, 0, 0}, {1, 1, 1});
-    expect_box(box_of(scene, "\u5e73\u9762"), {3, 0, 0}, {4, 1, 1});
+    expect_box(solid_of(scene, "Gr\u00f6\u00dfe"), {0, 0, 0}, {1, 1, 1});
+    expect_box(solid_of(scene, "\u5e73\u9762"), {3, 0, 0}, {4, 1, 1});
 }
 
 TEST_F(GltfGeometry, NodesThatStandFarOutKeepTheirDistance) {
@@ -177,7 +178,7 @@ TEST_F(GltfGeometry, NodesThatStandFarOutKeepTheirDistance) {
     file.put("nodes", {{"mesh", 0}, {"name", "a"}, {"translation", {4e6, 0, 5e6}}});
     file.put("nodes", {{"mesh", 0}, {"name", "b"}, {"translation", {4e6 + 1.3125, 0, 5e6}}});
     const scene::Scene scene = import_scene(write("utm.glb", file.bytes()));
-    EXPECT_EQ(box_of(scene, "b").low.x - box_of(scene, "a").low.x, 1.3125);
+    EXPECT_EQ(solid_of(scene, "b").low.x - solid_of(scene, "a").low.x, 1.3125);
 }
 
 TEST_F(GltfGeometry, InstancingPlacesCopies) {
@@ -273,7 +274,7 @@ TEST_F(GltfGeometry, BuffersBesideTheFileAreFoundByTheirDecodedName) {
     (void)write("Gr\u00f6\u00dfe.bin", file.data);
     for (const char* uri :
          {"a%20b.bin", "a b.bin", "./a%20b.bin", "Gr%C3%B6%c3%9fe.bin", "Gr\u00f6\u00dfe.bin"})
-        expect_box(box_of(import_scene(gltf(uri))), {0, 0, 0}, {1, 1, 1});
+        expect_box(solid_of(import_scene(gltf(uri))), {0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(
         complaint(gltf("../a%20b.bin")),
         "buffer 0: the URI ../a%20b.bin leaves the model's folder (accepted: a path below the "

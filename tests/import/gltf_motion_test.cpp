@@ -9,6 +9,7 @@
 #include "tests/core/error_text.h"
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
+#include "tests/import/solids.h"
 
 namespace ink::import {
 namespace {
@@ -17,9 +18,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using GltfMotionFile = ModelFiles;
 
-WorldBox box_at(scene::Scene scene, double time_s) {
+Solid box_at(scene::Scene scene, double time_s) {
     scene::pose_scene(scene, time_s);
-    return box_of(scene);
+    return solid_of(scene);
 }
 
 /// A cube that moves along x.
@@ -93,7 +94,7 @@ GlbFile growing_cube() {
 
 TEST_F(GltfMotionFile, DefaultWeightsShapeTheMesh) {
     GlbFile file = growing_cube();
-    const auto box = [&] { return box_of(import_scene(write("morph.glb", file.bytes()))); };
+    const auto box = [&] { return solid_of(import_scene(write("morph.glb", file.bytes()))); };
     expect_box(box(), {0, 0, 0}, {1, 1, 1});
     file.json["meshes"][0]["weights"] = {1};
     expect_box(box(), {0, 0, 0}, {1, 2, 1});
@@ -108,8 +109,8 @@ TEST_F(GltfMotionFile, NodesMorphOneMeshEachByItsOwnWeights) {
     file.put("nodes", {{"mesh", 0}, {"name", "high too"}, {"weights", {1}}});
     const scene::Scene scene = import_scene(write("morph.glb", file.bytes()));
     EXPECT_EQ(scene.meshes.size(), 2U) << "one of each shape";
-    expect_box(box_of(scene, "node 0"), {0, 0, 0}, {1, 1, 1});
-    expect_box(box_of(scene, "high"), {0, 0, 0}, {1, 2, 1});
+    expect_box(solid_of(scene, "node 0"), {0, 0, 0}, {1, 1, 1});
+    expect_box(solid_of(scene, "high"), {0, 0, 0}, {1, 2, 1});
 }
 
 TEST_F(GltfMotionFile, WeightsMove) {
@@ -125,7 +126,7 @@ TEST_F(GltfMotionFile, WeightsMove) {
         const scene::Scene scene = import_scene(write("morph.glb", file.bytes()));
         ASSERT_NE(scene.animation, nullptr);
         const bool is_step = interpolation[0] == 'S';
-        expect_box(box_of(scene), {0, 0, 0}, {1, 3, 1});  // at rest
+        expect_box(solid_of(scene), {0, 0, 0}, {1, 3, 1});  // at rest
         expect_box(box_at(scene, 0), {0, 0, 0}, {1, 1, 1});
         expect_box(box_at(scene, 0.5), {0, 0, 0}, {1, is_step ? 1 : 1.5, 1});
         expect_box(box_at(scene, 2), {0, 0, 0}, {1, is_step ? 2 : 1.5, 1});
@@ -147,7 +148,7 @@ TEST_F(GltfMotionFile, MorphedMeshesFarOutStayThere) {
     animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});
     const scene::Scene scene = import_scene(write("far.glb", file.bytes()));
     EXPECT_NE(scene.origin.x, 0);
-    expect_box(box_of(scene), {262144, 0, 0}, {262145, 1, 1});
+    expect_box(solid_of(scene), {262144, 0, 0}, {262145, 1, 1});
     expect_box(box_at(scene, 1), {262144, 0, 0}, {262145, 2, 1});
 }
 
@@ -156,7 +157,7 @@ TEST_F(GltfMotionFile, MovingNodesOfMeshesFarOutStayThere) {
     move_far(file, 1);
     const scene::Scene scene = import_scene(write("far.glb", file.bytes()));
     EXPECT_NE(scene.origin.y, 0);
-    expect_box(box_of(scene), {0, 262144, 0}, {1, 262145, 1});
+    expect_box(solid_of(scene), {0, 262144, 0}, {1, 262145, 1});
     expect_box(box_at(scene, 1), {4, 262144, 0}, {5, 262145, 1});
 }
 
@@ -185,7 +186,7 @@ TEST_F(GltfMotionFile, SkinsWithoutBindMatricesTakeTheIdentity) {
     const Json none = Json::object();
     const auto check = [&](const GlbFile& file) {
         // The mesh's own node stands far off, which must not matter.
-        expect_box(box_of(import_scene(write("skin.glb", file.bytes()))), {0, 0, 0}, {1, 3, 1});
+        expect_box(solid_of(import_scene(write("skin.glb", file.bytes()))), {0, 0, 0}, {1, 3, 1});
     };
     check(skinned_cube<std::uint8_t, float>(1, none));
     check(skinned_cube<std::uint16_t, std::uint8_t>(255, kUnits));
@@ -199,7 +200,7 @@ TEST_F(GltfMotionFile, BindMatricesComeBeforeTheJoints) {
         for (int i = 0; i < 16; ++i)
             binds.push_back(i % 5 == 0 ? 1.0F : joint == 1 && i == 13 ? -2.0F : 0.0F);
     file.json["skins"][0]["inverseBindMatrices"] = file.accessor(binds, "MAT4");
-    expect_box(box_of(import_scene(write("skin.glb", file.bytes()))), {0, 0, 0}, {1, 1, 1});
+    expect_box(solid_of(import_scene(write("skin.glb", file.bytes()))), {0, 0, 0}, {1, 1, 1});
 }
 
 TEST_F(GltfMotionFile, FurtherSetsOfJointsCount) {
@@ -211,7 +212,7 @@ TEST_F(GltfMotionFile, FurtherSetsOfJointsCount) {
     attributes["JOINTS_1"] = file.accessor(joints, "VEC4");
     attributes["WEIGHTS_1"] = attributes["WEIGHTS_0"];
     // Half way between the joints below, wholly with the second above.
-    expect_box(box_of(import_scene(write("skin.glb", file.bytes()))), {0, 1, 0}, {1, 3, 1});
+    expect_box(solid_of(import_scene(write("skin.glb", file.bytes()))), {0, 1, 0}, {1, 3, 1});
 }
 
 TEST_F(GltfMotionFile, EachNodeGoesByItsOwnSkin) {
@@ -222,8 +223,8 @@ TEST_F(GltfMotionFile, EachNodeGoesByItsOwnSkin) {
     file.put("skins", {{"joints", {4, 4}}});
     const scene::Scene scene = import_scene(write("two.glb", file.bytes()));
     EXPECT_EQ(scene.meshes.size(), 2U);
-    expect_box(box_of(scene, "node 0"), {0, 0, 0}, {1, 3, 1});
-    expect_box(box_of(scene, "node 3"), {4, 0, 0}, {5, 1, 1});
+    expect_box(solid_of(scene, "node 0"), {0, 0, 0}, {1, 3, 1});
+    expect_box(solid_of(scene, "node 3"), {4, 0, 0}, {5, 1, 1});
 }
 
 TEST_F(GltfMotionFile, BonesTakeWhatMorphsMade) {
@@ -231,7 +232,7 @@ TEST_F(GltfMotionFile, BonesTakeWhatMorphsMade) {
     put_target(file, 0);
     animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});
     const scene::Scene scene = import_scene(write("both.glb", file.bytes()));
-    expect_box(box_of(scene), {0, 0, 0}, {1, 3, 1});
+    expect_box(solid_of(scene), {0, 0, 0}, {1, 3, 1});
     expect_box(box_at(scene, 0.5), {0, 0, 0}, {1.5, 3, 1});
     expect_box(box_at(scene, 1), {0, 0, 0}, {2, 3, 1});
 }

@@ -8,6 +8,7 @@
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
 #include "tests/import/packed_files.h"
+#include "tests/import/solids.h"
 
 namespace ink::import {
 namespace {
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 using GltfPacked = ModelFiles;
 
 void expect_cube(const scene::Scene& scene) {
-    expect_box(box_of(scene), {0, 0, 0}, {1, 1, 1});
+    expect_box(solid_of(scene), {0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(scene::triangle_count(scene), 12U);
 }
 

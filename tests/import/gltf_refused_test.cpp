@@ -8,9 +8,7 @@
 namespace ink::import {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
-using testing::StartsWith;
 using GltfRefuses = ModelFiles;
 
 /// A sound file with a sparse accessor, a skin, a morph target and an animation.

@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "import/imported_scene.h"
+#include "tests/import/dae_files.h"
+#include "tests/import/fbx_files.h"
 #include "tests/import/imported_meshes.h"
 #include "tests/import/model_files.h"
-#include "tests/scene/small_meshes.h"
 
 namespace ink::import {
 namespace {
@@ -18,9 +19,7 @@ using ImportLights = ModelFiles;
 
 /// A cube about zero with lights.
 ImportReply lit_cube(std::vector<ImportedLight> lights) {
-    ImportReply reply;
-    reply.meshes = {imported(scene::unit_cube())};
-    reply.instances = {{0, glm::dmat4(1), "only"}};
+    ImportReply reply = cube_reply();
     reply.lights = std::move(lights);
     return reply;
 }
@@ -112,14 +111,9 @@ TEST(ImportedLights, DarkOnesAreNoneAndManyAreCut) {
 /// A cube on node 0, which stands; node 1, which goes from x = 1 to x = 3 in two seconds.
 ImportReply moving_cube(std::vector<ImportedLight> lights) {
     ImportReply reply = lit_cube(std::move(lights));
-    scene::AnimatedNode mover;
-    mover.parent_from_node[3] = {1, 0, 0, 1};
-    mover.translations = {{0, {1, 0, 0}}, {2, {3, 0, 0}}};
-    mover.rotations = {{0, {1, 0, 0, 0}}};
-    mover.scales = {{0, glm::dvec3(1)}};
     reply.animation.emplace();
     reply.animation->duration_s = 2;
-    reply.animation->nodes = {scene::AnimatedNode{}, mover};
+    reply.animation->nodes = {scene::AnimatedNode{}, mover({1, 0, 0}, {3, 0, 0}, 2)};
     reply.animation->node_of_instance = {0};
     return reply;
 }
@@ -157,26 +151,14 @@ TEST(ImportedLights, ASceneFarFromZeroTakesItsLightsAlong) {
     EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 3);
 }
 
-/// A triangle with a light and its node in COLLADA.
+/// A box with a light and its node in COLLADA.
 std::string collada(const std::string& light) {
-    return R"(<?xml version="1.0" encoding="utf-8"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit name="m" meter="1"/><up_axis>Y_UP</up_axis></asset>
-<library_lights><light id="L" name="L"><technique_common>)" +
-           light + R"(</technique_common></light></library_lights>
-<library_geometries><geometry id="G" name="G"><mesh>
-<source id="P"><float_array id="PA" count="9">0 0 0 4 0 0 0 4 0</float_array>
-<technique_common><accessor source="#PA" count="3" stride="3"><param name="X" type="float"/>
-<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="V"><input semantic="POSITION" source="#P"/></vertices>
-<triangles count="1"><input semantic="VERTEX" source="#V" offset="0"/><p>0 1 2</p></triangles>
-</mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="S" name="S">
-<node id="N" name="N"><instance_geometry url="#G"/></node>
-<node id="LN" name="LN"><translate>1 2 3</translate><instance_light url="#L"/></node>
-</visual_scene></library_visual_scenes>
-<scene><instance_visual_scene url="#S"/></scene></COLLADA>
-)";
+    return dae_document(
+        dae_geometry("g"),
+        dae_node("") +
+            "<node id=\"m\"><translate>1 2 3</translate><instance_light url=\"#l\"/></node>",
+        "<library_lights><light id=\"l\"><technique_common>" + light +
+            "</technique_common></light></library_lights>");
 }
 
 TEST_F(ImportLights, ColladaPointsEndWhereTwiceTheHalfWayLies) {
@@ -208,52 +190,18 @@ TEST_F(ImportLights, ColladaSunsShineFromAfarAndSpotsAreNoted) {
     EXPECT_THAT(ambient.file.notes, ElementsAre("1 ambient light is not heeded"));
 }
 
-/// A triangle and a light in the text form of FBX, in metres.
-std::string fbx(const std::string& light) {
-    return R"(; FBX 7.4.0 project file
-FBXHeaderExtension: { FBXHeaderVersion: 1003
-FBXVersion: 7400
-}
-GlobalSettings: { Version: 1000
-Properties70: { P: "UnitScaleFactor", "double", "Number", "",100
-}
-}
-Objects: {
-Geometry: 1, "Geometry::G", "Mesh" {
-Vertices: *9 { a: 0,0,0,4,0,0,0,4,0
-}
-PolygonVertexIndex: *3 { a: 0,1,-3
-}
-GeometryVersion: 124
-}
-Model: 2, "Model::G", "Mesh" { Version: 232
-}
-Model: 3, "Model::L", "Light" { Version: 232
-Properties70: { P: "Lcl Translation", "Lcl Translation", "", "A",1,2,3
-}
-}
-NodeAttribute: 4, "NodeAttribute::L", "Light" { TypeFlags: "Light"
-GeometryVersion: 124
-Properties70: { )" +
-           light + R"(
-}
-}
-}
-Connections: {
-C: "OO",2,0
-C: "OO",3,0
-C: "OO",1,2
-C: "OO",4,3
-}
-)";
-}
-
 TEST_F(ImportLights, FbxLightsDecay) {
-    const scene::Scene scene = import_scene(write("lit.fbx", fbx(R"(P: "LightType", "enum", "", "",0
-P: "Color", "Color", "", "A",1,0.5,0
-P: "Intensity", "Number", "", "A",5000
-P: "DecayType", "enum", "", "",2
-P: "DecayStart", "double", "Number", "",3)")));
+    fbx::File file;
+    file.settings = {fbx::property("UnitScaleFactor", fbx::Numbers{100})};  // metres
+    fbx::add_box(file, file.model(0, "box"));
+    file.attribute(file.model(0, "L", {fbx::property("Lcl Translation", {1, 2, 3})}, "Light"),
+                   "Light",
+                   {fbx::property("LightType", 0),
+                    fbx::property("Color", {1, 0.5, 0}),
+                    fbx::property("Intensity", fbx::Numbers{5000}),
+                    fbx::property("DecayType", 2),
+                    fbx::property("DecayStart", fbx::Numbers{3})});
+    const scene::Scene scene = import_scene(write("lit.fbx", file.text()));
     ASSERT_EQ(scene.lights.size(), 1U);
     const glm::dvec3 p_cm(100, 200, 300);
     EXPECT_LT(glm::length(scene.lights[0].p_world - p_cm), 1e-4);

@@ -5,6 +5,7 @@
 
 #include "import/scene_stream.h"
 #include "scene/mesh.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::import {
 
@@ -16,6 +17,24 @@ inline ImportedMesh imported(const scene::Mesh& mesh) {
     result.normals = mesh.normals;
     result.triangles = mesh.triangles;
     return result;
+}
+
+/// A cube about zero, placed once.
+inline ImportReply cube_reply() {
+    ImportReply reply;
+    reply.meshes = {imported(scene::unit_cube())};
+    reply.instances = {{0, glm::dmat4(1), "only"}};
+    return reply;
+}
+
+/// A node that goes from one place to another in so many seconds and does not turn.
+inline scene::AnimatedNode mover(const glm::dvec3& from, const glm::dvec3& to, double seconds) {
+    scene::AnimatedNode node;
+    node.translations = {{0, from}, {seconds, to}};
+    node.rotations = {{0, {1, 0, 0, 0}}};
+    node.scales = {{0, glm::dvec3(1)}};
+    node.parent_from_node[3] = glm::dvec4(from, 1);
+    return node;
 }
 
 /// What write_reply writes.

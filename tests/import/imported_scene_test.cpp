@@ -10,19 +10,11 @@
 #include "core/error.h"
 #include "import/printable.h"
 #include "tests/import/imported_meshes.h"
-#include "tests/scene/small_meshes.h"
 
 namespace ink::import {
 namespace {
 
 constexpr std::uint64_t kMany = 1000;
-
-ImportReply cube_reply() {
-    ImportReply reply;
-    reply.meshes = {imported(scene::unit_cube())};
-    reply.instances = {{0, glm::dmat4(1), "only"}};
-    return reply;
-}
 
 std::string complaint(ImportReply reply, std::uint64_t most_triangles = kMany) {
     try {
@@ -89,19 +81,12 @@ TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
     scene::Animation motion;
     motion.duration_s = 1;
     motion.node_of_instance = {scene::kNoNode};
-    scene::AnimatedNode mover;
-    mover.translations = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
-    mover.rotations = {{0, {1, 0, 0, 0}}};
-    mover.scales = {{0, {1, 1, 1}}};
-    motion.nodes = {mover, scene::AnimatedNode{}, scene::AnimatedNode{}};
+    motion.nodes = {mover({0, 0, 0}, {1, 0, 0}, 1), scene::AnimatedNode{}, scene::AnimatedNode{}};
     motion.nodes[1].parent = 0;
     const auto camera = [](std::uint32_t node) {
-        return ImportedCamera{"c",
-                              {0, 0, 5},
-                              {0, 0, 0},
-                              {0, 1, 0},
-                              0.7,
-                              {node, node, {0, 0, 5}, {0, 0, 0}, {0, 1, 0}}};
+        ImportedCamera one{"c", {0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.7};
+        one.motion = {node, node, {0, 0, 5}, {0, 0, 0}, {0, 1, 0}};
+        return one;
     };
     ImportedCamera flat = camera(0);
     flat.fov_y_rad = 0;

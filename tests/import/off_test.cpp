@@ -63,12 +63,8 @@ TEST(Off, IsToldByItsWord) {
 
 TEST(Off, OtherKindsAreRefusedByName) {
     for (const char* head : {"4OFF\n8 6 0\n", "nOFF 3\n8 6 0\n", "OFF BINARY\n"}) {
-        try {
-            (void)read_off(cube(head), "model");
-            ADD_FAILURE() << head;
-        } catch (const Refusal& refusal) {
-            EXPECT_THAT(refusal.what_happened(), HasSubstr("is an OFF file of the kind \""));
-        }
+        EXPECT_THAT(fault(read_off, cube(head)), HasSubstr("is an OFF file of the kind \""));
+        EXPECT_THROW((void)read_off(cube(head), "model"), Refusal) << head;
     }
 }
 

@@ -11,7 +11,6 @@
 #include "scene/animation.h"
 #include "scene/topology.h"
 #include "tests/import/imported_meshes.h"
-#include "tests/scene/small_meshes.h"
 
 namespace ink::import {
 namespace {
@@ -21,11 +20,19 @@ const glm::dvec3 kFar{691'004.25, 0, 5'335'012.7};
 
 /// A cube of 2 m whose vertices stand at `place`.
 ImportReply cube_at(const glm::dvec3& place) {
-    ImportReply reply;
-    reply.meshes = {imported(scene::unit_cube())};
+    ImportReply reply = cube_reply();
     for (glm::dvec3& p : reply.meshes[0].positions)
         p += place;
-    reply.instances = {{0, glm::dmat4(1), "only"}};
+    return reply;
+}
+
+/// Two that share a side.
+ImportReply two_cubes_at(const glm::dvec3& place) {
+    ImportReply reply = cube_at(place);
+    reply.meshes.push_back(cube_at(place).meshes[0]);
+    for (glm::dvec3& p : reply.meshes[1].positions)
+        p.x += 2;
+    reply.instances.push_back({1, glm::dmat4(1), "beside"});
     return reply;
 }
 
@@ -74,13 +81,7 @@ TEST(Origin, FarSceneKeepsItsDigits) {
 TEST(Origin, WhereverTheFileHasItAModelKeepsItsShape) {
     const auto at = [](double diameters) {
         const glm::dvec3 place = diameters * glm::dvec3(5.7, -5.7, 5.7);
-        ImportReply reply = cube_at(place + glm::dvec3(0.1));
-        ImportedMesh beside = reply.meshes[0];
-        for (glm::dvec3& p : beside.positions)
-            p.x += 2;
-        reply.meshes.push_back(beside);
-        reply.instances.push_back({1, glm::dmat4(1), "beside"});
-        return std::pair(scene_of(reply), place);
+        return std::pair(scene_of(two_cubes_at(place + glm::dvec3(0.1))), place);
     };
     const std::vector<glm::dvec3> wanted = file_corners(at(0).first);
     for (const double diameters : {1.0, 7.0, 31.0, 1000.0}) {
@@ -95,15 +96,8 @@ TEST(Origin, WhereverTheFileHasItAModelKeepsItsShape) {
 }
 
 TEST(Origin, PartsThatTouchGoOnTouching) {
-    // Two objects that share a side, in coordinates that no float holds.
-    ImportReply reply = cube_at(kFar);
-    ImportedMesh beside = reply.meshes[0];
-    for (glm::dvec3& p : beside.positions)
-        p.x += 2;
-    reply.meshes.push_back(beside);
-    reply.instances.push_back({1, glm::dmat4(1), "beside"});
-    const scene::Topology topology = scene::weld(scene_of(reply));
-    EXPECT_EQ(topology.p_world.size(), 12U);
+    // In coordinates that no float holds.
+    EXPECT_EQ(scene::weld(scene_of(two_cubes_at(kFar))).p_world.size(), 12U);
 }
 
 TEST(Origin, NodesCarryWhatIsFar) {
@@ -148,14 +142,9 @@ TEST(Origin, WhatMovesGoesOnMovingThere) {
     ImportReply reply = cube_at({0, 0, 0});
     scene::Animation motion;
     motion.duration_s = 1;
-    scene::AnimatedNode mover;
-    mover.translations = {{0, kFar}, {1, kFar + glm::dvec3(1, 0, 0)}};
-    mover.rotations = {{0, {1, 0, 0, 0}}};
-    mover.scales = {{0, {1, 1, 1}}};
-    mover.parent_from_node = glm::translate(glm::dmat4(1), kFar);
-    motion.nodes = {mover};
+    motion.nodes = {mover(kFar, kFar + glm::dvec3(1, 0, 0), 1)};
     motion.node_of_instance = {0};
-    reply.instances[0].world_from_object = mover.parent_from_node;
+    reply.instances[0].world_from_object = motion.nodes[0].parent_from_node;
     reply.animation = motion;
     scene::Scene scene = scene_of(reply);
     scene::pose_scene(scene, 1);

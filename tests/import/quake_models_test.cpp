@@ -9,6 +9,7 @@
 #include "import/imported_scene.h"
 #include "tests/import/model_files.h"
 #include "tests/import/quake_files.h"
+#include "tests/import/solids.h"
 
 namespace ink::import {
 namespace {
@@ -175,17 +176,10 @@ void expect_no_crash(const std::string& whole, Read read) {
     EXPECT_GT(refused, 2000);
 }
 
-TEST(QuakeModelDamage, NeverCrashesTheReaderOfMdl) {
-    const auto read = [](ModelBytes file) { return read_mdl(file, "x"); };
-    expect_no_crash(mdl_file(false), read);
-    expect_no_crash(mdl_file(true), read);
-}
-
-TEST(QuakeModelDamage, NeverCrashesTheReaderOfMd2) {
+TEST(QuakeModelDamage, NeverCrashesAReader) {
+    for (const bool is_grouped : {false, true})
+        expect_no_crash(mdl_file(is_grouped), [](ModelBytes file) { return read_mdl(file, "x"); });
     expect_no_crash(md2_file(), [](ModelBytes file) { return read_md2(file, "x"); });
-}
-
-TEST(QuakeModelDamage, NeverCrashesTheReaderOfMd3) {
     expect_no_crash(md3_file(3, "tag_torso"), [](ModelBytes file) {
         return read_md3({{"lower", file},
                          {"upper", model_bytes(md3_file(2, "tag_head"))},
@@ -203,30 +197,17 @@ scene::Scene by_assimp(const std::filesystem::path& path, std::size_t frame) {
     return scene;
 }
 
-/// Every corner of every triangle where the file has it, in order.
-std::vector<glm::dvec3> corners(const scene::Scene& scene) {
-    std::vector<glm::dvec3> all;
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        for (const scene::Triangle& triangle : mesh.triangles) {
-            for (const std::uint32_t v : triangle)
-                all.push_back(scene.origin + scene::to_world(instance, mesh.positions[v]));
-        }
-    }
-    return all;
-}
-
 TEST_F(QuakeModel, FramesEqualAssimpsBitForBit) {
     const auto path = write("two.md2", md2_file());
     scene::Scene ours = import_scene(path);
     for (const std::size_t frame : {0U, 1U}) {
         scene::pose_scene(ours, ours.animation->frame_time_s(frame));
-        EXPECT_EQ(corners(ours), corners(by_assimp(path, frame))) << frame;
+        EXPECT_EQ(corners_of(ours), corners_of(by_assimp(path, frame))) << frame;
     }
     // It begins a triangle of MD3 with another of its corners.
     const auto md3 = write("one.md3", md3_file(1, "tag_x"));
-    EXPECT_THAT(corners(import_scene(md3)),
-                testing::UnorderedElementsAreArray(corners(by_assimp(md3, 0))));
+    EXPECT_THAT(corners_of(import_scene(md3)),
+                testing::UnorderedElementsAreArray(corners_of(by_assimp(md3, 0))));
 }
 
 }  // namespace

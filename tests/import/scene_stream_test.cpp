@@ -68,80 +68,28 @@ ImportReply sample_reply() {
     return reply;
 }
 
-TEST(SceneStream, GivesBackWhatWasWritten) {
-    const auto reply = read_reply(stream_of(sample_reply()));
+// Every field of the sample has a value of its own, so what is lost or taken for another's changes
+// the bytes. What is never written, the tests of the readers miss.
+TEST(SceneStream, WhatWasReadIsWrittenAsItWas) {
+    const Bytes whole = stream_of(sample_reply());
+    const auto reply = read_reply(whole);
     ASSERT_TRUE(reply.has_value());
     EXPECT_EQ(reply->status, ImportStatus::scene);
-    ASSERT_EQ(reply->meshes.size(), 2U);
-    const ImportedMesh expected = sample_reply().meshes[0];
-    EXPECT_EQ(reply->meshes[0].name, expected.name);
-    EXPECT_EQ(reply->meshes[0].positions, expected.positions);
-    EXPECT_EQ(reply->meshes[0].normals, expected.normals);
-    EXPECT_EQ(reply->meshes[0].triangles, expected.triangles);
-    EXPECT_EQ(reply->meshes[0].marked_sides, expected.marked_sides);
-    ASSERT_EQ(reply->meshes[0].parts.size(), 2U);
-    EXPECT_EQ(reply->meshes[0].parts[1].first_triangle, 1U);
-    EXPECT_EQ(reply->meshes[0].parts[1].material, 6U);
-    EXPECT_EQ(reply->meshes[0].parts[1].primitive, 2U);
-    EXPECT_EQ(reply->meshes[0].parts[1].first_vertex, 1U);
-    EXPECT_TRUE(reply->meshes[0].are_floats);
-    EXPECT_FALSE(reply->meshes[1].are_floats);
-    ASSERT_EQ(reply->instances.size(), 1U);
-    EXPECT_EQ(reply->instances[0].world_from_object, glm::dmat4(2));
-    EXPECT_EQ(reply->instances[0].name, "node");
-    EXPECT_EQ(reply->instances[0].file_node, 7U);
-    EXPECT_EQ(reply->animation_names, sample_reply().animation_names);
+    EXPECT_EQ(stream_of(*reply), whole);
+    EXPECT_EQ(reply->meshes.at(0).positions, sample_reply().meshes[0].positions);
+    EXPECT_EQ(reply->meshes[0].marked_sides, sample_reply().meshes[0].marked_sides);
+    EXPECT_EQ(reply->meshes[0].parts.at(1).primitive, 2U);
+    EXPECT_EQ(reply->instances.at(0).file_node, 7U);
     EXPECT_EQ(reply->notes, sample_reply().notes);
-    EXPECT_EQ(reply->base_colors, sample_reply().base_colors);
-    ASSERT_EQ(reply->lights.size(), 2U);
-    EXPECT_EQ(reply->lights[0].kind, LightKind::point);
-    EXPECT_FALSE(reply->lights[0].is_physical);
-    EXPECT_EQ(reply->lights[1].kind, LightKind::distant);
-    EXPECT_EQ(reply->lights[1].p_world, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(reply->lights[1].direction_world, glm::dvec3(4, 5, 6));
-    EXPECT_EQ(reply->lights[1].color, glm::vec3(7, 8, 9));
-    EXPECT_TRUE(reply->lights[1].is_physical);
-    EXPECT_EQ(reply->lights[1].range, 10);
-    EXPECT_EQ(reply->lights[1].inner_range, 11);
-    EXPECT_EQ(reply->lights[1].node, 12U);
-    ASSERT_EQ(reply->lights[1].colors.size(), 1U);
-    EXPECT_EQ(reply->lights[1].colors[0].time_s, 13);
-    ASSERT_EQ(reply->cameras.size(), 1U);
-    EXPECT_EQ(reply->cameras[0].name, "eye");
-    EXPECT_EQ(reply->cameras[0].eye_world, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(reply->cameras[0].fov_y_rad, 0.5);
-}
-
-TEST(SceneStream, GivesBackTheMotion) {
-    const auto reply = read_reply(stream_of(sample_reply()));
-    ASSERT_TRUE(reply.has_value() && reply->animation.has_value());
+    EXPECT_EQ(reply->lights.at(1).inner_range, 11);
+    EXPECT_EQ(reply->lights[1].colors.at(0).time_s, 13);
+    EXPECT_EQ(reply->cameras.at(0).motion.target_node, 0U);
+    ASSERT_TRUE(reply->animation.has_value());
     const scene::Animation& motion = *reply->animation;
-    EXPECT_EQ(motion.duration_s, 3);
-    EXPECT_EQ(motion.frames_per_s, 10);
-    ASSERT_EQ(motion.nodes.size(), 2U);
-    ASSERT_EQ(motion.nodes[0].translations.size(), 2U);
-    EXPECT_EQ(motion.nodes[0].translations[1].value, glm::dvec3(4, 5, 6));
-    EXPECT_EQ(motion.nodes[0].rotations.at(0).time_s, 0.5);
-    EXPECT_EQ(motion.nodes[0].rotations.at(0).value, glm::dquat(0, 1, 0, 0));
-    EXPECT_EQ(motion.nodes[0].scales.size(), 1U);
-    EXPECT_FALSE(motion.nodes[1].has_keys());
-    EXPECT_EQ(motion.node_of_instance, std::vector<std::uint32_t>{1});
-    ASSERT_EQ(motion.vertex_frames.size(), 2U);
-    EXPECT_EQ(motion.vertex_frames[0].frame_count, 2U);
-    EXPECT_EQ(motion.vertex_frames[0].positions, kFramePositions);
-    ASSERT_EQ(motion.skins.size(), 1U);
-    EXPECT_EQ(motion.skins[0].mesh, 1U);
-    EXPECT_EQ(motion.skins[0].bones.at(0).node_from_mesh, glm::dmat4(3));
-    EXPECT_EQ(motion.skins[0].first_weight, (std::vector<std::uint32_t>{0, 1, 1, 2}));
-    EXPECT_EQ(motion.skins[0].weights.at(1).weight, 1);
-    ASSERT_EQ(motion.morphs.size(), 1U);
-    const scene::Morph::Target& target = motion.morphs[0].targets.at(1);
-    EXPECT_EQ(target.positions, kFramePositions);
-    EXPECT_EQ(target.normals, sample_reply().meshes[0].normals);
-    EXPECT_EQ(target.weight, 0.25);
-    EXPECT_EQ(target.weights.at(1).value, 2);
-    EXPECT_EQ(target.course.interpolation, scene::Interpolation::cubic);
-    EXPECT_EQ(target.course.tangents.at(1).in, 3);
+    EXPECT_EQ(motion.nodes.at(0).rotations.at(0).value, glm::dquat(0, 1, 0, 0));
+    EXPECT_EQ(motion.vertex_frames.at(0).positions, kFramePositions);
+    EXPECT_EQ(motion.skins.at(0).first_weight, (std::vector<std::uint32_t>{0, 1, 1, 2}));
+    EXPECT_EQ(motion.morphs.at(0).targets.at(1).course.tangents.at(1).in, 3);
 }
 
 TEST(SceneStream, CutAnywhereIsNoReply) {

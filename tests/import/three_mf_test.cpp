@@ -4,11 +4,9 @@
 
 #include <gmock/gmock.h>
 
-#include <map>
-
-#include "core/error.h"
 #include "import/model_bytes.h"
 #include "import/zip_archive.h"
+#include "tests/core/error_text.h"
 #include "tests/import/model_files.h"
 #include "tests/import/read_meshes.h"
 #include "tests/import/solids.h"
@@ -78,12 +76,7 @@ class ThreeMf : public ModelFiles {
                         double volume,
                         const Files& more = {}) const {
         scene::Scene scene = import_scene(write_3mf(model, more));
-        const Solid solid = solid_of(scene);
-        EXPECT_LT(glm::length(solid.low - low), 1e-5)
-            << solid.low.x << ' ' << solid.low.y << ' ' << solid.low.z;
-        EXPECT_LT(glm::length(solid.high - high), 1e-5)
-            << solid.high.x << ' ' << solid.high.y << ' ' << solid.high.z;
-        EXPECT_NEAR(solid.volume, volume, 1e-5);
+        expect_solid(scene, low, high, volume);
         return scene;
     }
     scene::Scene expect_box(const std::string& model, const Files& more = {}) const {
@@ -160,20 +153,8 @@ TEST_F(ThreeMf, Utf16AndPrefixesAreRead) {
         expect_box(wide);
     }
     std::string prefixed = replaced(model(kBox, kItem), "xmlns=", "xmlns:m=");
-    for (const char* tag : {"model",
-                            "resources",
-                            "build",
-                            "object",
-                            "mesh",
-                            "vertices",
-                            "vertex ",
-                            "triangles",
-                            "triangle ",
-                            "item"}) {
-        prefixed = replaced(prefixed, std::string("<") + tag, std::string("<m:") + tag);
-        prefixed = replaced(prefixed, std::string("</") + tag, std::string("</m:") + tag);
-    }
-    expect_box(replaced(prefixed, "<m:m:", "<m:"));
+    prefixed = replaced(replaced(prefixed, "<", "<m:"), "<m:/", "</m:");
+    expect_box(replaced(prefixed, "<m:?", "<?"));
 }
 
 TEST_F(ThreeMf, DigitsAreKept) {
@@ -295,12 +276,9 @@ TEST_F(ThreeMf, ABombEndsWithinTheLimits) {
     limits.memory_bytes = 128U << 20U;
     EXPECT_THAT(complaint(path, limits), HasSubstr("more memory than 128 MiB"));
 #endif
-    try {
-        (void)ZipArchive(path).read("3D/3dmodel.model", 10U << 20U);
-        ADD_FAILURE() << "it was unpacked";
-    } catch (const core::Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("too long unpacked (accepted: 10485760 bytes"));
-    }
+    EXPECT_THAT(
+        core::error_text([&] { return ZipArchive(path).read("3D/3dmodel.model", 10U << 20U); }),
+        HasSubstr("too long unpacked (accepted: 10485760 bytes"));
 }
 
 }  // namespace

@@ -10,19 +10,11 @@ namespace {
 
 /// The cube's triangles, three vertices each, every vertex off by up to `shift` in each axis.
 scene::Mesh cracked_cube(float shift) {
-    const scene::Mesh cube = scene::unit_cube();
-    scene::Mesh soup;
-    soup.name = "soup";
-    int turn = 0;
-    for (const scene::Triangle& t : cube.triangles) {
-        const auto first = static_cast<std::uint32_t>(soup.positions.size());
-        for (const std::uint32_t v : t) {
-            const int k = turn++ % 8;
-            soup.positions.push_back(cube.positions[v] + shift * glm::vec3(k & 1 ? 1 : -1,
-                                                                           k & 2 ? 1 : -1,
-                                                                           k & 4 ? 1 : -1));
-        }
-        soup.triangles.push_back({first, first + 1, first + 2});
+    scene::Mesh soup = scene::exploded(scene::unit_cube());
+    int k = 0;
+    for (glm::vec3& p : soup.positions) {
+        p += shift * glm::vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+        ++k;
     }
     return soup;
 }
