@@ -18,17 +18,6 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-CLI::Option* add_repeatable_option(CLI::App& command,
-                                   const std::string& spellings,
-                                   std::vector<std::string>& texts,
-                                   const std::string& doc,
-                                   const std::string& type) {
-    return command.add_option(spellings, texts, doc)
-        ->type_name(type)
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
 std::vector<std::string> list_parts(const std::vector<std::string>& texts) {
     std::vector<std::string> parts;
     for (const std::string& text : texts) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,14 +12,6 @@ struct Names {
     std::string noun;    ///< "method"
     std::vector<std::string> known;
 };
-
-/// Adds an option that takes one text and may be given again; `type` is what --help and completions
-/// call its value ("METHODS").
-CLI::Option* add_repeatable_option(CLI::App& command,
-                                   const std::string& spellings,
-                                   std::vector<std::string>& texts,
-                                   const std::string& doc,
-                                   const std::string& type);
 
 /// The parts of comma lists without the blanks round them, in order; empty ones are left out.
 [[nodiscard]] std::vector<std::string> list_parts(const std::vector<std::string>& texts);

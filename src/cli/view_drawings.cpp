@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/options/command_rows.h"
 #include "cli/options/options.h"
 #include "cli/traced_view.h"
 #include "core/error.h"
@@ -22,13 +23,14 @@
 namespace ink::cli {
 namespace {
 
-constexpr double kLeastSheet_mm = 1, kMostSheet_mm = 10000;
+constexpr std::pair kSheet_mm{1.0, 10000.0};
 
-void check_sheet(double width_mm, const char* option) {
-    if (width_mm >= kLeastSheet_mm && width_mm <= kMostSheet_mm) return;
-    throw core::Error(option,
+void check_scaled_sheet(double width_mm) {
+    const auto [least_mm, most_mm] = kSheet_mm;
+    if (width_mm >= least_mm && width_mm <= most_mm) return;
+    throw core::Error("--scale",
                       fmt::format("no sheet is {:g} mm wide", width_mm),
-                      fmt::format("{:g}..{:g}", kLeastSheet_mm, kMostSheet_mm));
+                      fmt::format("{:g}..{:g}", least_mm, most_mm));
 }
 
 std::optional<double> asked_scale(const DrawingOptions& options) {
@@ -42,7 +44,7 @@ draw::Sheet image_sheet(const scene::View& view, const DrawingOptions& options) 
     if (!camera.is_parallel()) return draw::image_sheet(view, draw::usual_sheet_mm(view.width_px));
     const double units = camera.height_world * view.width_px / view.height_px;
     const double width_mm = units * asked_scale(options).value_or(1);
-    check_sheet(width_mm, "--scale");
+    check_scaled_sheet(width_mm);
     return draw::image_sheet(view, width_mm);
 }
 
@@ -132,30 +134,21 @@ void write_drawing(truth::SceneModel& model,
 }  // namespace
 
 void add_drawing_options(CLI::App& command, DrawingOptions& options) {
-    command
-        .add_option("--drawing",
-                    options.place,
-                    "Drawing for print, in mm, of long lines in a group per class: a name in .svg "
-                    "or .dxf (release 12) for one view, else a folder, which gets VIEW.svg of each")
-        ->type_name("FILE|DIR");
-    command.add_flag("--hidden", options.hidden, "Hidden lines too, dashed, in --drawing");
-    command
-        .add_option("--sheet-width",
-                    options.sheet_width_mm,
-                    "Width of a --drawing (default: by --scale, in perspective 96 px an inch)")
-        ->type_name("MM");
-    command
-        .add_option("--sheet",
-                    options.paper,
-                    "Paper of a --drawing, which is cropped to its lines and fitted, in parallel "
-                    "views at 1, 2 or 5 times a power of ten")
-        ->type_name("A4..A0");
-    command
-        .add_option("--scale",
-                    options.scale,
-                    "Scale of a --drawing in parallel views, where a unit of the model counts as "
-                    "1 mm: 1:2, 5:1, or the mm of a unit (default: 1)")
-        ->type_name("N:N|MM");
+    CommandRows rows(command);
+    // clang-format off
+    rows.text("--drawing", options.place, "FILE|DIR",
+              "Drawing for print, in mm, of long lines in a group per class: a name in .svg or "
+              ".dxf (release 12) for one view, else a folder, which gets VIEW.svg of each");
+    rows.flag("--hidden", options.hidden, "Hidden lines too, dashed, in --drawing");
+    rows.number("--sheet-width", options.sheet_width_mm, kSheet_mm, "MM",
+                "Width of a --drawing (default: by --scale, in perspective 96 px an inch)");
+    rows.text("--sheet", options.paper, "A4..A0",
+              "Paper of a --drawing, which is cropped to its lines and fitted, in parallel views "
+              "at 1, 2 or 5 times a power of ten");
+    rows.text("--scale", options.scale, "N:N|MM",
+              "Scale of a --drawing in parallel views, where a unit of the model counts as 1 mm: "
+              "1:2, 5:1, or the mm of a unit (default: 1)");
+    // clang-format on
 }
 
 void check_drawing_options(const DrawingOptions& options,
@@ -169,7 +162,6 @@ void check_drawing_options(const DrawingOptions& options,
             if (is_asked) throw core::Error(name, "there is no drawing to show it", "--drawing");
         return;
     }
-    if (options.sheet_width_mm) check_sheet(*options.sheet_width_mm, "--sheet-width");
     for (const auto& [is_asked, name] :
          {std::pair{options.scale.has_value(), "--scale"}, {options.paper.has_value(), "--sheet"}})
         if (is_asked && options.sheet_width_mm)

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/split_list.h"
 #include "core/toml_reader.h"
 #include "core/whole_file.h"
 #include "experiment/experiment.h"
@@ -230,17 +231,13 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     const bool is_record = whole.is_table("asked");
     core::TomlReader reader = is_record ? *whole.table("asked") : whole;
     // Of methods run.toml has every parameter, those that were set in `settings` too.
-    const std::vector<std::string> others = {is_record ? "methods" : "name",
-                                             "kind",
-                                             "settings",
-                                             "sweep",
-                                             "views",
-                                             "grid",
-                                             "measure",
-                                             "answer",
-                                             "study",
-                                             "search"};
-    read_options(reader, "", others, is_record, experiment);
+    const std::string others =
+        "kind, settings, sweep, views, grid, measure, answer, study, search, ";
+    read_options(reader,
+                 "",
+                 core::split_list(others + (is_record ? "methods" : "name")),
+                 is_record,
+                 experiment);
     for (const char* name : {"grid", "measure", "answer", "study", "search"}) {
         core::TomlReader table = reader.table_or_empty(name);
         read_options(table, name, {}, is_record, experiment);

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <glm/trigonometric.hpp>
@@ -94,17 +93,12 @@ experiment::ImageSize size_of(const py::handle& value) {
 }
 
 /// Rows of views that are keywords too; a Camera has the others.
-constexpr std::array kOfViews = {"grid.sizes",
-                                 "views.views",
-                                 "views.up",
-                                 "grid.projections",
-                                 "views.fit",
-                                 "views.margin",
-                                 "views.objects",
-                                 "views.time_s",
-                                 "views.frame",
-                                 "views.animation",
-                                 "grid.seams"};
+const std::vector<std::string>& rows_of_views() {
+    static const std::vector<std::string> rows = core::split_list(
+        "grid.sizes, views.views, views.up, grid.projections, views.fit, views.margin, "
+        "views.objects, views.time_s, views.frame, views.animation, grid.seams");
+    return rows;
+}
 
 /// Where a command takes one of a list, the keyword is called as its option.
 std::string key_of(const std::string& name) {
@@ -151,7 +145,7 @@ void add_settings(const std::string& prefix,
 
 std::vector<std::string> rows_of(const Keywords& keywords) {
     std::vector<std::string> rows = keywords.rows;
-    rows.insert(rows.end(), kOfViews.begin(), kOfViews.end());
+    rows.insert(rows.end(), rows_of_views().begin(), rows_of_views().end());
     return rows;
 }
 
@@ -258,7 +252,7 @@ std::string Keywords::text() const {
             "alone as {method: {parameter: value}}.";
     }
     std::vector<std::string> of_views;
-    for (const char* name : kOfViews)
+    for (const std::string& name : rows_of_views())
         of_views.push_back(key_of(name));
     return text + fmt::format("\n\n{}: as the program's options of views (inkbench draw --help).\n",
                               fmt::join(of_views, ", "));

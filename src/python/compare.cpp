@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/split_list.h"
 #include "core/tables/csv_table.h"
 #include "core/work_clock.h"
 #include "entrants/entrant.h"
@@ -120,27 +121,15 @@ std::string run_blocks(const experiment::Experiment& experiment, const Thrown& t
 
 const Keywords& compare_keywords() {
     static const Keywords keywords = [] {
-        Keywords of_compare{{"grid.scenes",
-                             "grid.methods",
-                             "grid.presets",
-                             "grid.entrants",
-                             "grid.threads",
-                             "measure.crease_deg",
-                             "measure.creases",
-                             "measure.weld_epsilon",
-                             "measure.intersections",
-                             "measure.repetitions",
-                             "measure.budget_ms",
-                             "measure.times",
-                             "measure.crosscheck",
-                             "measure.full_scores",
-                             "measure.skips_off",
-                             "grid.antialias",
-                             "measure.coverage",
-                             "measure.line_width_px",
-                             "seed"},
-                            {},
-                            true};
+        Keywords of_compare{
+            core::split_list("grid.scenes, grid.methods, grid.presets, grid.entrants, "
+                             "grid.threads, measure.crease_deg, measure.creases, "
+                             "measure.weld_epsilon, measure.intersections, measure.repetitions, "
+                             "measure.budget_ms, measure.times, measure.crosscheck, "
+                             "measure.full_scores, measure.skips_off, grid.antialias, "
+                             "measure.coverage, measure.line_width_px, seed"),
+            {},
+            true};
         of_compare.usual.where = of_compare.usual.name = "compare";
         of_compare.usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;  // as the command
         of_compare.usual.compare.images = experiment::KeptImages::none;

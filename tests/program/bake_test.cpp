@@ -141,7 +141,7 @@ TEST(BakeProgram, RefusesWithOneLineAndLeavesNothing) {
     expect_refused(desk, "bake a.gltf -o no/b.glb", {"no/b.glb"});
     expect_refused(desk, "bake a.gltf", {"--out"});
     expect_refused(
-        desk, "bake a.gltf -o b.glb --codes ids", {"--codes", "ids", "surface8, label8"});
+        desk, "bake a.gltf -o b.glb --codes ids", {"--codes", "ids", "surface8 | label8"});
     expect_refused(desk, "bake a.gltf -o b.glb --channel uv2", {"--channel", "texcoord1"});
     expect_refused(
         desk, "bake a.gltf -o b.glb --crease-deg 200", {"--crease-deg", "200", "0..180"});

@@ -497,7 +497,7 @@ TEST(Truth, RefusesDrawingsThatCannotBe) {
     expect("--drawing a.svg --views iso --sheet A5", "A4, A3, A2, A1, A0");
     expect("--drawing a.svg --sheet A4 --sheet-width 80", "--sheet-width beside it");
     expect("--drawing a.svg --views iso --sheet A4 --scale 500", "at 500 view 'iso' does not fit");
-    expect("--drawing a.svg --sheet-width 0", "no sheet is 0 mm wide");
+    expect("--drawing a.svg --sheet-width 0", "a number 1..10000");
     expect("--drawing a.svg --views top,iso", "one file has no room for 2 views");
     expect("--drawing a.svg --views 3", "one file has no room for 3 views");
     expect("--drawing none/a.svg", "its folder does not exist");

@@ -102,9 +102,9 @@ TEST(TuneProgram, BadInputIsExplained) {
     const Desk desk;
     EXPECT_THAT(refusal(desk, "tune mote5"), HasSubstr("mote4"));
     EXPECT_THAT(refusal(desk, "tune mote4 --objective speed"),
-                HasSubstr("pooled, scenes, kinds, worst, even, ap"));
+                HasSubstr("pooled | scenes | kinds | worst | even | ap"));
     EXPECT_THAT(refusal(desk, "tune mote4 --params range"), HasSubstr("range_nx"));
-    EXPECT_THAT(refusal(desk, "tune mote4 --global luck"), HasSubstr("crs, direct, esch"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --global luck"), HasSubstr("crs | direct | esch"));
     EXPECT_THAT(refusal(desk, "tune mote4 --evaluations 0"), HasSubstr("1..1000000"));
     EXPECT_THAT(refusal(desk, "tune mote4 --budget-ms 0"), HasSubstr("above 0"));
     EXPECT_THAT(refusal(desk, {"tune", "mote4", "--name", "A b"}), HasSubstr("small letters"));

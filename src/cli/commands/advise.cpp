@@ -8,6 +8,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/json_values.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/run_options.h"
 #include "cli/traced_view.h"
 #include "core/error.h"
@@ -268,22 +269,18 @@ void add_advise_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "advise", "Say in five lines which method to use for a model, by measuring on it");
     add_one_scene_options(*command, args->scenes);
-    command
-        ->add_option("--have",
-                     args->have,
-                     "What a frame has: the mesh, or no more than images of depth and normals")
-        ->type_name("mesh|depth,normals")
-        ->capture_default_str();
+    CommandRows rows(*command);
+    // clang-format off
+    rows.text("--have", args->have, "mesh|depth,normals",
+              "What a frame has: the mesh, or no more than images of depth and normals");
     args->options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
-    command
-        ->add_option("-o,--out",
-                     args->picture,
-                     "Picture of what it misses and what is false (default: MODEL.png in " +
-                         std::string(kFolder) + ")")
-        ->type_name("FILE");
-    command->add_flag("--json", args->json, "Print JSON instead of text");
+    rows.text("-o,--out", args->picture, "FILE",
+              "Picture of what it misses and what is false (default: MODEL.png in " +
+                  std::string(kFolder) + ")");
+    rows.flag("--json", args->json, "Print JSON instead of text");
+    // clang-format on
     add_quiet_option(*command);
     add_cache_options(*command, args->cache);
     command->footer(

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/options.h"
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -21,46 +22,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array kMethods{methods::BakedMethod::surface8, methods::BakedMethod::label8};
+
 struct BakeArgs {
     std::string model;
     std::string out;
     std::string codes;
     std::string channel;
-    bool edges = false;
-    double crease_deg = bake::BakeOptions{}.crease_deg;
+    bake::BakeOptions options;
     std::optional<double> time_s;
     std::string animation;
 };
 
-/// The number of a word in a list of them. Throws core::Error that lists the words.
-std::size_t choice_of(const char* option,
-                      const std::string& word,
-                      const std::vector<std::string>& words) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end())
-        throw core::Error(option,
-                          fmt::format("there is no choice '{}'", word),
-                          fmt::format("{}", fmt::join(words, ", ")));
-    return static_cast<std::size_t>(found - words.begin());
-}
-
 bake::BakeOptions options_of(const BakeArgs& args) {
-    bake::BakeOptions options;
-    options.edges = args.edges;
-    options.crease_deg = args.crease_deg;
-    if (!(args.crease_deg >= 0 && args.crease_deg <= 180))
-        throw core::Error("--crease-deg", fmt::format("{:g}", args.crease_deg), "0..180");
-    constexpr std::array kMethods{methods::BakedMethod::surface8, methods::BakedMethod::label8};
+    bake::BakeOptions options = args.options;
     if (!args.codes.empty()) {
-        options.codes = kMethods[choice_of(
-            "--codes", args.codes, {bake::name(kMethods[0]), bake::name(kMethods[1])})];
-    } else if (!args.edges || !args.channel.empty()) {
+        options.codes = args.codes == bake::name(kMethods[0]) ? kMethods[0] : kMethods[1];
+    } else if (!options.edges || !args.channel.empty()) {
         options.codes = kMethods[0];
     }
-    if (!args.channel.empty()) {
-        options.texcoord =
-            1 + static_cast<int>(choice_of("--channel", args.channel, {"texcoord1", "texcoord2"}));
-    }
+    if (!args.channel.empty()) options.texcoord = args.channel == "texcoord1" ? 1 : 2;
     return options;
 }
 
@@ -108,41 +89,26 @@ void add_bake_command(CLI::App& app) {
     auto args = std::make_shared<BakeArgs>();
     auto* command = app.add_subcommand(
         "bake", "Put a method's codes, or the edges to draw, into a model's own glTF file");
-    command->add_option("model", args->model, "Model file; formats other than glTF become glTF")
-        ->type_name("MODEL")
+    CommandRows rows(*command);
+    // clang-format off
+    rows.text("model", args->model, "MODEL", "Model file; formats other than glTF become glTF")
         ->required();
-    command->add_option("-o,--out", args->out, "File to write")
-        ->type_name("FILE.glb|FILE.gltf")
-        ->required();
-    command
-        ->add_option("--codes",
-                     args->codes,
-                     "Codes of this method, a byte for each triangle, as the attribute _INK "
-                     "(default: surface8, without --edges)")
-        ->type_name("surface8|label8");
-    command
-        ->add_option("--channel",
-                     args->channel,
-                     "Codes in a texture coordinate too, for engines that drop _INK: u is code/255")
-        ->type_name("texcoord1|texcoord2");
-    command->add_flag(
-        "--edges", args->edges, "Hard edges and silhouettes as EXT_mesh_primitive_edge_visibility");
-    command
-        ->add_option(
-            "--crease-deg", args->crease_deg, "Angle between faces at which an edge is a line")
-        ->type_name("DEG")
-        ->capture_default_str();
-    command
-        ->add_option("--time",
-                     args->time_s,
-                     "Moment of a model that moves, of whose pose codes and edges are (default: "
-                     "its rest pose)")
-        ->type_name("SECONDS");
-    command
-        ->add_option("--animation",
-                     args->animation,
-                     "Which animation moves it (default: the first; inkbench explain lists them)")
-        ->type_name("NAME|N");
+    rows.text("-o,--out", args->out, "FILE.glb|FILE.gltf", "File to write")->required();
+    rows.choice("--codes", args->codes, {bake::name(kMethods[0]), bake::name(kMethods[1])},
+                "Codes of this method, a byte for each triangle, as the attribute _INK "
+                "(default: surface8, without --edges)");
+    rows.choice("--channel", args->channel, {"texcoord1", "texcoord2"},
+                "Codes in a texture coordinate too, for engines that drop _INK: u is code/255");
+    rows.flag("--edges", args->options.edges,
+              "Hard edges and silhouettes as EXT_mesh_primitive_edge_visibility");
+    rows.number("--crease-deg", args->options.crease_deg, {0, 180}, "DEG",
+                "Angle between faces at which an edge is a line");
+    rows.number("--time", args->time_s, kAnyNumber, "SECONDS",
+                "Moment of a model that moves, of whose pose codes and edges are (default: its "
+                "rest pose)");
+    rows.text("--animation", args->animation, "NAME|N",
+              "Which animation moves it (default: the first; inkbench explain lists them)");
+    // clang-format on
     command->footer(
         "The first and the last vertex of each triangle have its code, so vertices may be added. "
         "All else in the file stays.\n"

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
@@ -75,19 +76,19 @@ void add_compare_command(CLI::App& app) {
                    {"grid.model_list", "grid.presets", "grid.entrants", "measure.entrant_seconds"});
     options.add_to(*command, experiment::view_rows());
     add_run_folder_options(*command, args->folder);
-    command->add_flag("--quick",
-                      args->quick,
-                      "A first look: 640x360, one view a scene, few repetitions, no sweep, no "
-                      "check of the truth");
-    command->add_flag(
-        "--demo",
-        args->demo,
-        "A dozen scenes and the main methods unless others are named, as small as with "
-        "--quick, in inkbench-out/demo: half a minute");
+    CommandRows rows(*command);
+    // clang-format off
+    rows.flag("--quick", args->quick,
+              "A first look: 640x360, one view a scene, few repetitions, no sweep, no check of "
+              "the truth");
+    rows.flag("--demo", args->demo,
+              "A dozen scenes and the main methods unless others are named, as small as with "
+              "--quick, in inkbench-out/demo: half a minute");
+    // clang-format on
     options.add_to(*command, truth_rows());
     options.add_to(*command, {"measure.creases"});
     options.add_to(*command, {"grid.threads", "measure.repetitions", "sweep.own_views"});
-    command->add_flag(
+    rows.flag(
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
     options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
     options.add_to(*command, {"grid.antialias", "measure.coverage", "measure.line_width_px"});

@@ -5,6 +5,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/json_values.h"
+#include "cli/options/command_rows.h"
 #include "core/error.h"
 #include "experiment/diff/run_diff.h"
 #include "report/text/diff_text.h"
@@ -76,15 +77,15 @@ void check_rows(const experiment::RunData& run) {
 void add_diff_command(CLI::App& app) {
     auto args = std::make_shared<DiffArgs>();
     auto* command = app.add_subcommand("diff", "Say what one run changed against another");
-    command->add_option("before", args->before, "Folder of a run")->type_name("DIR")->required();
-    command->add_option("after", args->after, "Folder of the run to compare with it")
-        ->type_name("DIR")
-        ->required();
-    command->add_flag("--fail-if-worse",
-                      args->fail_if_worse,
-                      "Exit with 1 if a method's F fell (its 95 % interval below 0), or a scored "
-                      "cell has no score or is gone");
-    command->add_flag("--json", args->is_json, "Print the result as JSON");
+    CommandRows rows(*command);
+    // clang-format off
+    rows.text("before", args->before, "DIR", "Folder of a run")->required();
+    rows.text("after", args->after, "DIR", "Folder of the run to compare with it")->required();
+    rows.flag("--fail-if-worse", args->fail_if_worse,
+              "Exit with 1 if a method's F fell (its 95 % interval below 0), or a scored cell has "
+              "no score or is gone");
+    rows.flag("--json", args->is_json, "Print the result as JSON");
+    // clang-format on
     command->footer(
         "Cells are paired by method, scene, view, size and parameters. `inkbench report BEFORE "
         "AFTER\n-o FILE.html` shows the same as a page, with images.\n"

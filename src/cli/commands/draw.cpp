@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/draw_options.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
@@ -111,30 +112,25 @@ void add_draw_command(CLI::App& app) {
     auto args = std::make_shared<DrawArgs>();
     auto* command = app.add_subcommand("draw", "Draw one image with one method");
     add_one_scene_options(*command, args->scene);
-    command->add_option("-o,--output", args->file, "PNG or EXR file to write")
-        ->type_name("FILE")
-        ->required();
+    CommandRows rows(*command);
+    rows.text("-o,--output", args->file, "FILE", "PNG or EXR file to write")->required();
     add_one_method_option(*command, args->methods, kDrawnMethod);
     add_set_option(*command, args->settings, "A parameter of the method: key=value");
     args->options.add_to(*command,
                          {"grid.presets"},
                          "A method with settings of its own, as inkbench tune writes it: a TOML "
                          "file, instead of --method");
-    command->add_option("--view", args->view, "Name of the view (default: the first)")
-        ->type_name("NAME");
+    rows.text("--view", args->view, "NAME", "Name of the view (default: the first)");
     args->options.add_to(*command, experiment::view_rows());
     add_look_options(*command, args->looks);
-    command->add_flag(
-        "--response,--strength",
-        args->edge_response,
-        "Write the edge responses (grey) instead of the image, for inkbench score; an EXR "
-        "has both anyway");
-    command->add_flag("--no-lines", args->no_lines, "Write the shading alone");
-    command
-        ->add_option("--layer",
-                     args->layer,
-                     "Write one of the method's internal buffers instead; an EXR has all of them")
-        ->type_name("packed|filtered|depth|normal|ids|edges");
+    // clang-format off
+    rows.flag("--response,--strength", args->edge_response,
+              "Write the edge responses (grey) instead of the image, for inkbench score; an EXR "
+              "has both anyway");
+    rows.flag("--no-lines", args->no_lines, "Write the shading alone");
+    rows.text("--layer", args->layer, "packed|filtered|depth|normal|ids|edges",
+              "Write one of the method's internal buffers instead; an EXR has all of them");
+    // clang-format on
     args->options.add_to(*command, {"grid.threads"}, "Threads of the method");
     args->options.add_to(*command, {"measure.skips_off"});
     command->footer(

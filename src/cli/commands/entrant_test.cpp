@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
+#include "cli/options/experiment_options.h"
 #include "core/error.h"
 #include "entrants/entrant.h"
 #include "experiment/experiment.h"
@@ -20,8 +22,7 @@ constexpr const char* kTestScenes[] = {"cube", "torus", "blocks"};
 
 struct EntrantTestArgs {
     std::string program;
-    std::string size = "320x180";
-    double seconds = 60;
+    ExperimentOptions options;
 };
 
 /// Draws a view and prints a line about it; false if something is wrong.
@@ -56,14 +57,12 @@ void run_entrant_test(const EntrantTestArgs& args) {
     const entrants::Entrant entrant = entrants::parse_entrant("entrant=" + args.program);
     if (!entrant.is_program)
         throw core::Error("entrant-test", args.program + " is a folder", "a program");
-    const method::MethodConfig config = entrants::entrant_config(entrant, {.wall_s = args.seconds});
-    harness::ViewRequest request;
-    const experiment::ImageSize size = experiment::parse_image_size(args.size, "--size");
-    request.width_px = size.width_px;
-    request.height_px = size.height_px;
+    const experiment::Experiment asked = args.options.read();
+    const method::MethodConfig config =
+        entrants::entrant_config(entrant, {.wall_s = asked.compare.entrant_s});
     bool is_good = true;
     for (const char* scene : kTestScenes)
-        is_good = test_view(config, harness::load_one_view(scene, "", request)) && is_good;
+        is_good = test_view(config, harness::load_one_view(scene, "", views_of(asked))) && is_good;
     if (!is_good) throw CLI::RuntimeError(kFaulty);
     fmt::print("{} is ready: inkbench compare --entrant NAME={}\n", args.program, args.program);
 }
@@ -74,13 +73,12 @@ void add_entrant_test_command(CLI::App& app) {
     auto args = std::make_shared<EntrantTestArgs>();
     auto* command = app.add_subcommand(
         "entrant-test", "Try a program from outside on three small scenes and say what is wrong");
-    command->add_option("program", args->program, "Called as PROGRAM view.json out.png")
-        ->type_name("PROGRAM")
+    args->options.usual().sizes = {{320, 180}};
+    CommandRows(*command)
+        .text("program", args->program, "PROGRAM", "Called as PROGRAM view.json out.png")
         ->required();
-    command->add_option("--size", args->size, "Size of the images")->capture_default_str();
-    command->add_option("--entrant-seconds", args->seconds, "Longest time for one view")
-        ->check(CLI::Range(0.01, 86400.0))
-        ->capture_default_str();
+    args->options.add_to(*command, {"grid.sizes"}, "Size of the images");
+    args->options.add_to(*command, {"measure.entrant_seconds"}, "Longest time for one view");
     command->footer(
         "Example: inkbench entrant-test ./my_lines.py\n"
         "Exit codes: 0 done, the program is ready; 1 something is wrong; 2 bad input.");

@@ -6,6 +6,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/json_values.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/scene_options.h"
@@ -96,12 +97,13 @@ void add_explain_command(CLI::App& app) {
     add_one_scene_options(*command, args->scene);
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
-    command->add_option("--view", args->view, "Name of a view (default: all)")->type_name("NAME");
+    CommandRows rows(*command);
+    rows.text("--view", args->view, "NAME", "Name of a view (default: all)");
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command,
                          {"measure.crease_deg"},
                          "Crease angle of the scene statistics, and of methods that use the same");
-    command->add_flag("--json", args->json, "Print JSON instead of text");
+    rows.flag("--json", args->json, "Print JSON instead of text");
     command->footer(
         "Example: inkbench explain torus --methods mote4,auto\n"
         "Exit codes: 0 done, 2 bad input.");

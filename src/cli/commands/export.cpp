@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -79,9 +80,6 @@ std::string export_scene(const ExportArgs& args,
 }
 
 void run_export(const ExportArgs& args) {
-    if (args.truth != "train" && args.truth != "all" && args.truth != "none") {
-        throw core::Error("--truth", "there is no choice '" + args.truth + "'", "train, all, none");
-    }
     std::vector<std::string> names = scene_names(args.scenes);
     if (names.empty()) throw core::Error("export", "no scene is named", "scenes or model files");
     const experiment::Experiment asked = args.options.read();
@@ -106,11 +104,11 @@ void add_export_command(CLI::App& app) {
     add_scene_options(*command, args->scenes, "Built-in scenes or model files");
     args->options.add_to(*command, experiment::view_rows());
     add_out_folder_option(*command, args->out, "Folder of the exported views")->required();
-    command
-        ->add_option("--truth",
-                     args->truth,
-                     "Whose truth.exr is written: that of training scenes (train), all, or none")
-        ->capture_default_str();
+    CommandRows(*command).choice(
+        "--truth",
+        args->truth,
+        {"train", "all", "none"},
+        "Whose truth.exr is written: that of training scenes (train), all, or none");
     args->options.add_to(*command, truth_rows());
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);

@@ -14,6 +14,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/name_list.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
@@ -106,14 +107,36 @@ struct FiguresArgs : MeasureArgs {
         usual.compare.images = experiment::KeptImages::all;
     }
 
-    // Of the script, which reads and checks them.
-    std::string formats;
-    std::string width;
-    std::string font_size;
-    std::vector<std::string> windows;
-    std::string only;
-    bool has_causes = false;
+    /// Of the script, which reads and checks them: by option, what was given; "" of a flag.
+    std::map<std::string, std::vector<std::string>> of_script;
 };
+
+struct ScriptOption {
+    const char* name;
+    const char* unit;  ///< none of a flag
+    const char* doc;
+};
+// clang-format off
+constexpr ScriptOption kScriptOptions[] = {
+    {"--format", "A,B", "Of pdf, svg, png, as a,b (default: svg,png)"},
+    {"--width", "LENGTH",
+     "Of each figure, in mm, cm, in or pt (default: 178mm, two columns of a journal)"},
+    {"--font-size", "PT", "Of text, in points (default: 8)"},
+    {"--window", "X,Y,W,H",
+     "Zoomed part of strips in pixels; may be given again (default: the one in which the "
+     "methods' errors differ most)"},
+    {"--causes", nullptr, "Wrong pixels in the colour of their cause, not in two"},
+    {"--only", "A,B",
+     "These figures alone, as strips,error_time; figures.md names all (default: all)"}};
+// clang-format on
+
+/// The names of these options and of some others.
+std::vector<std::string> script_options_and(const char* others) {
+    std::vector<std::string> names = core::split_list(others);
+    for (const ScriptOption& option : kScriptOptions)
+        names.emplace_back(option.name);
+    return names;
+}
 
 /// Takes the run folders out of what stands by itself; the rest are scenes.
 std::vector<std::string> take_runs(SceneOptions& scenes) {
@@ -127,18 +150,11 @@ std::vector<std::string> take_runs(SceneOptions& scenes) {
 }
 
 std::vector<std::string> script_options(const FiguresArgs& args) {
-    std::vector<std::string> words;
-    const auto add = [&words](const char* option, const std::string& value) {
-        if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
-    };
-    add("--out", args.folder.out);
-    add("--format", args.formats);
-    add("--width", args.width);
-    add("--font-size", args.font_size);
-    add("--only", args.only);
-    for (const std::string& window : args.windows)
-        add("--window", window);
-    if (args.has_causes) words.emplace_back("--causes");
+    std::vector<std::string> words = {"--out=" + args.folder.out};
+    for (const auto& [option, texts] : args.of_script) {
+        for (const std::string& text : texts)
+            words.push_back(text.empty() ? option : option + "=" + text);
+    }
     return words;
 }
 
@@ -156,19 +172,8 @@ void check_script_options(std::vector<std::string> words) {
 
 /// Options that say how a run is made mean nothing for one that is there.
 void refuse_run_options(const CLI::App& command) {
-    const std::vector<std::string> of_figures = {"--out",
-                                                 "--methods",
-                                                 "--scenes",
-                                                 "--views",
-                                                 "--format",
-                                                 "--width",
-                                                 "--font-size",
-                                                 "--window",
-                                                 "--only",
-                                                 "--causes",
-                                                 "--cache",
-                                                 "--no-cache",
-                                                 "--quiet"};
+    const std::vector<std::string> of_figures =
+        script_options_and("--out, --methods, --scenes, --views, --cache, --no-cache, --quiet");
     for (const CLI::Option* option : command.get_options()) {
         const bool is_of_run =
             std::none_of(of_figures.begin(), of_figures.end(), [&](const std::string& name) {
@@ -240,15 +245,7 @@ experiment::Experiment experiment_of(const FiguresArgs& args) {
 /// Makes the run first.
 void make_and_show(const FiguresArgs& args, const CLI::App& command) {
     experiment::Experiment experiment = experiment_of(args);
-    experiment.command = recorded_command(command,
-                                          {"--out",
-                                           "--force",
-                                           "--format",
-                                           "--width",
-                                           "--font-size",
-                                           "--window",
-                                           "--only",
-                                           "--causes"});
+    experiment.command = recorded_command(command, script_options_and("--out, --force"));
     std::vector<std::string> words = script_options(args);
     words.emplace_back("--scenes=*");
     words.emplace_back("--views=all");
@@ -269,32 +266,16 @@ void make_and_show(const FiguresArgs& args, const CLI::App& command) {
 }
 
 void add_script_options(CLI::App& command, FiguresArgs& args) {
-    command.add_option("--format", args.formats, "Of pdf, svg, png, as a,b (default: svg,png)")
-        ->type_name("A,B");
-    command
-        .add_option(
-            "--width",
-            args.width,
-            "Of each figure, in mm, cm, in or pt (default: 178mm, two columns of a journal)")
-        ->type_name("LENGTH");
-    command.add_option("--font-size", args.font_size, "Of text, in points (default: 8)")
-        ->type_name("PT");
-    command
-        .add_option(
-            "--window",
-            args.windows,
-            "Zoomed part of strips in pixels; may be given again (default: the one in which "
-            "the methods' errors differ most)")
-        ->type_name("X,Y,W,H")
-        ->allow_extra_args(false);
-    command.add_flag(
-        "--causes", args.has_causes, "Wrong pixels in the colour of their cause, not in two");
-    command
-        .add_option(
-            "--only",
-            args.only,
-            "These figures alone, as strips,error_time; figures.md names all (default: all)")
-        ->type_name("A,B");
+    CommandRows rows(command);
+    for (const auto& [name, unit, doc] : kScriptOptions) {
+        std::vector<std::string>& given = args.of_script[name];
+        if (unit != nullptr) {
+            rows.list(name, given, unit, doc);
+        } else {
+            command.add_flag_callback(
+                name, [&given] { given = {""}; }, doc);
+        }
+    }
 }
 
 }  // namespace
@@ -324,7 +305,7 @@ void add_figures_command(CLI::App& app) {
     options.add_to(*command, truth_rows());
     options.add_to(*command, {"grid.threads", "measure.repetitions"});
     options.add_to(*command, {"seed"}, "Of intervals and random images");
-    command->add_flag(
+    CommandRows(*command).flag(
         "--force", args->folder.is_forced, "Throw away the run that is in the folder's run/");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);

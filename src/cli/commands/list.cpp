@@ -13,6 +13,7 @@
 #include "cli/help_format.h"
 #include "cli/json_values.h"
 #include "cli/listing.h"
+#include "cli/options/command_rows.h"
 #include "core/error.h"
 #include "core/named.h"
 #include "core/param.h"
@@ -211,13 +212,15 @@ void add_list_command(CLI::App& app) {
     auto args = std::make_shared<ListArgs>();
     auto* command = app.add_subcommand(
         "list", "List methods, scenes, parameters, metrics, columns, skips, shadings and axes");
-    command->add_option("what", args->what, "The topic (default: the names of all)")
-        ->type_name("all|methods|scenes|params|metrics|columns|skips|shadings|axes");
-    command->add_flag("--json", args->is_json, "Print JSON instead of text");
-    command->add_flag("--csv", args->is_csv, "Methods as methods.csv has them");
-    command->add_flag("--markdown",
-                      args->is_markdown,
-                      "Columns as the data dictionary of a run folder (experiments/columns.md)");
+    CommandRows rows(*command);
+    // clang-format off
+    rows.text("what", args->what, "all|methods|scenes|params|metrics|columns|skips|shadings|axes",
+              "The topic (default: the names of all)");
+    rows.flag("--json", args->is_json, "Print JSON instead of text");
+    rows.flag("--csv", args->is_csv, "Methods as methods.csv has them");
+    rows.flag("--markdown", args->is_markdown,
+              "Columns as the data dictionary of a run folder (experiments/columns.md)");
+    // clang-format on
     command->footer(
         "Example: inkbench list params\n"
         "Exit codes: 0 done, 2 bad input.");

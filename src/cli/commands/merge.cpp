@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/options.h"
 #include "cli/run_result.h"
 #include "experiment/experiment_run.h"
@@ -21,14 +22,13 @@ void add_merge_command(CLI::App& app) {
     auto args = std::make_shared<MergeArgs>();
     auto* command = app.add_subcommand(
         "merge", "Join the shards of a run to the folder that one run would write");
-    command->add_option("folders", args->folders, "Folders of --shard i/n")
-        ->type_name("DIR")
-        ->required();
+    CommandRows rows(*command);
+    rows.text("folders", args->folders, "DIR", "Folders of --shard i/n")->required();
     add_out_folder_option(*command, args->out, "Folder of the joined run")->required();
-    command->add_flag("--partial",
-                      args->is_partial,
-                      "Take what is there: tables and page of a run that is not finished");
-    command->add_flag("--json", args->is_json, "Print the result as JSON");
+    rows.flag("--partial",
+              args->is_partial,
+              "Take what is there: tables and page of a run that is not finished");
+    rows.flag("--json", args->is_json, "Print the result as JSON");
     command->footer(
         "Example: inkbench merge part1 part2 part3 --out inkbench-out/quality\n"
         "Exit codes: 0 done; 1 the run is invalid or nothing has a score; 2 bad input: shards "

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -51,19 +52,17 @@ void add_page_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "page", "Make a page that draws a model with methods on the reader's own GPU");
     add_one_scene_options(*command, args->scene);
-    command
-        ->add_option(
-            "-o,--output",
-            args->file,
-            "HTML file to write (default, with --run: live/SCENE.html in the run's folder, "
-            "to which its report then links)")
-        ->type_name("FILE");
+    CommandRows rows(*command);
+    rows.text("-o,--output",
+              args->file,
+              "FILE",
+              "HTML file to write (default, with --run: live/SCENE.html in the run's folder, to "
+              "which its report then links)");
     args->options.add_to(*command, experiment::view_rows());
-    command
-        ->add_option("--run",
-                     args->run,
-                     "Folder of a run: the page shows what its methods scored at these views")
-        ->type_name("DIR");
+    rows.text("--run",
+              args->run,
+              "DIR",
+              "Folder of a run: the page shows what its methods scored at these views");
     command->footer(
         "The page is one file and opens without a network, in any browser with WebGL 2. It has "
         "the\n"

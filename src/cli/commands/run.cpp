@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
@@ -44,18 +45,17 @@ void add_run_command(CLI::App& app) {
     auto args = std::make_shared<RunArgs>();
     auto* command = app.add_subcommand(
         "run", "Compute an experiment from its file; a run that was killed goes on where it was");
-    command
-        ->add_option("file",
-                     args->file,
-                     "An experiment, such as experiments/quality.toml, or run.toml of a run")
-        ->type_name("FILE")
+    CommandRows rows(*command);
+    rows.text("file",
+              args->file,
+              "FILE",
+              "An experiment, such as experiments/quality.toml, or run.toml of a run")
         ->required();
     add_run_folder_options(*command, args->folder);
-    command->add_option("--size", args->size, "Image size instead of the file's sizes")
-        ->type_name("WIDTHxHEIGHT");
+    rows.text("--size", args->size, "WIDTHxHEIGHT", "Image size instead of the file's sizes");
     add_scene_options(*command, args->scenes, "Scenes instead of the file's");
     add_method_options(*command, args->methods, "the file's");
-    command->add_option("--views", args->views, "Views of each scene, the first N")->type_name("N");
+    rows.text("--views", args->views, "N", "Views of each scene, the first N");
     add_cache_options(*command, args->cache);
     command->footer(
         "The folder is inkbench-out/NAME, or that of --out.\n"

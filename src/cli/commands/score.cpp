@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/score_text.h"
@@ -35,7 +35,6 @@ struct ScoreArguments {
     std::string view;
     CacheOptions cache;
     given_images::ScoreRequest request;
-    std::string polarity = "auto";
     ExperimentOptions options;
     std::string picture;
     std::string csv;
@@ -45,19 +44,6 @@ struct ScoreArguments {
     bool no_thin = false;
     bool as_json = false;
 };
-
-harness::Polarity asked_polarity(const ScoreArguments& a) {
-    static const std::map<std::string, harness::Polarity> kPolarities = {
-        {"auto", harness::Polarity::automatic},
-        {"light", harness::Polarity::light_on_dark},
-        {"dark", harness::Polarity::dark_on_light}};
-    const auto found = kPolarities.find(a.polarity);
-    if (found == kPolarities.end()) {
-        throw core::Error(
-            "--polarity", "there is no polarity '" + a.polarity + "'", "auto, light, dark");
-    }
-    return a.is_inverted ? harness::Polarity::dark_on_light : found->second;
-}
 
 /// Exit code 1 for an F below what was asked, or none.
 void check_least_f(const ScoreArguments& a, std::optional<double> f) {
@@ -166,14 +152,10 @@ void score_all(const ScoreArguments& a) {
 
 void run_score(ScoreArguments a, const CLI::App& command) {
     a.request.options.thin = !a.no_thin;
-    a.request.polarity = asked_polarity(a);
+    if (a.is_inverted) a.request.polarity = harness::Polarity::dark_on_light;
     const experiment::Experiment asked = a.options.read();
     a.request.intersections = asked.intersections;
     if (asked.compare.coverage) a.request.line_width_px = asked.compare.line_width_px;
-    if (a.fail_under && !(*a.fail_under >= 0 && *a.fail_under <= 1)) {
-        throw core::Error(
-            "--fail-under", fmt::format("{} is no value of F", *a.fail_under), "0..1");
-    }
     if (!a.csv.empty()) check_output_path(a.csv, {".csv"});
     if (!a.markdown.empty()) check_output_path(a.markdown, {".md"});
     const bool is_folder = fs::is_directory(a.prediction);
@@ -197,35 +179,25 @@ void run_score(ScoreArguments a, const CLI::App& command) {
 }
 
 void add_scoring_options(CLI::App& command, ScoreArguments& a) {
-    command
-        .add_option("--tol",
-                    a.request.options.tolerance_px,
-                    "Matched pixels are at most this far apart, at most 8")
-        ->type_name("PX")
-        ->capture_default_str();
-    command
-        .add_option("--threshold",
-                    a.request.options.threshold,
-                    "Edge response of a predicted pixel, 1..255")
-        ->capture_default_str();
-    command
-        .add_option("--polarity",
-                    a.polarity,
-                    "Lines are light on dark, dark on light, or auto: dark where more than three "
-                    "quarters of the image are light")
-        ->capture_default_str();
-    command.add_flag("--invert", a.is_inverted, "The same as --polarity dark");
-    command.add_flag("--no-thin", a.no_thin, "Do not thin the prediction");
-    command
-        .add_option("--band",
-                    a.request.band_px,
-                    "Leave out this many pixels along the frame (default: what the truth says, "
-                    "else 0)")
-        ->type_name("PX");
-    command.add_option("--ignore",
-                       a.request.options.ignore_label,
-                       "Truth value, 1..255, that is neither required nor penalised (default: what "
-                       "the truth says, else none)");
+    CommandRows rows(command);
+    score::ScoreOptions& options = a.request.options;
+    // clang-format off
+    rows.number("--tol", options.tolerance_px, kAnyNumber, "PX",
+                "Matched pixels are at most this far apart, at most 8");
+    rows.number("--threshold", options.threshold, {1, 255}, "N",
+                "Edge response of a predicted pixel, 1..255");
+    rows.choice("--polarity", a.request.polarity, {"auto", "light", "dark"},
+                "Lines are light on dark, dark on light, or auto: dark where more than three "
+                "quarters of the image are light");
+    rows.flag("--invert", a.is_inverted, "The same as --polarity dark");
+    rows.flag("--no-thin", a.no_thin, "Do not thin the prediction");
+    rows.number("--band", a.request.band_px, {0, 16384}, "PX",
+                "Leave out this many pixels along the frame (default: what the truth says, else "
+                "0)");
+    rows.number("--ignore", options.ignore_label, {1, 255}, "N",
+                "Truth value, 1..255, that is neither required nor penalised (default: what the "
+                "truth says, else none)");
+    // clang-format on
     a.options.add_to(command, {"measure.intersections", "measure.coverage"});
     a.options.add_to(command,
                      {"measure.line_width_px"},
@@ -234,12 +206,14 @@ void add_scoring_options(CLI::App& command, ScoreArguments& a) {
 
 /// What is traced instead of reading a truth.
 void add_model_options(CLI::App& command, ScoreArguments& a) {
-    auto* model = command.add_option(
-        "--model", a.model, "A model file or built-in scene, which is traced in the image's size");
-    model->type_name("SCENE");
+    CommandRows rows(command);
+    CLI::Option* model =
+        rows.text("--model",
+                  a.model,
+                  "SCENE",
+                  "A model file or built-in scene, which is traced in the image's size");
     const std::size_t before = command.get_options().size();
-    command.add_option("--view", a.view, "Name of the view (default: the first)")
-        ->type_name("NAME");
+    rows.text("--view", a.view, "NAME", "Name of the view (default: the first)");
     a.options.add_to(command, experiment::view_rows());
     a.options.add_to(command, {"measure.crease_deg", "measure.creases", "measure.weld_epsilon"});
     add_cache_options(command, a.cache);
@@ -256,38 +230,28 @@ void add_score_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "score", "Score an outline image against a truth image or a model, or a folder of images");
     auto a = std::make_shared<ScoreArguments>();
-    command
-        ->add_option("prediction",
-                     a->prediction,
-                     "Outline image of any depth, in grey or colour, with alpha or without; or a "
-                     "folder of them")
-        ->type_name("FILE")
+    CommandRows rows(*command);
+    // clang-format off
+    rows.text("prediction", a->prediction, "FILE",
+              "Outline image of any depth, in grey or colour, with alpha or without; or a folder "
+              "of them")
         ->required();
-    command
-        ->add_option(
-            "truth",
-            a->truth,
-            "What inkbench truth -o writes: the .exr, or the 8-bit image of classes (0 no line, "
-            "every other value a class; if it holds nothing but 0 and 1, or 0 and 255, its lines "
-            "have no class). Or a folder of them, with the names of the predictions")
-        ->type_name("FILE");
+    rows.text("truth", a->truth, "FILE",
+              "What inkbench truth -o writes: the .exr, or the 8-bit image of classes (0 no line, "
+              "every other value a class; if it holds nothing but 0 and 1, or 0 and 255, its lines "
+              "have no class). Or a folder of them, with the names of the predictions");
+    // clang-format on
     add_scoring_options(*command, *a);
     add_model_options(*command, *a);
-    command
-        ->add_option("--picture",
-                     a->picture,
-                     "PNG of what is right, missing and false; of folders: a folder for them")
-        ->type_name("FILE");
-    command->add_option("--csv", a->csv, "CSV with a line per image")->type_name("FILE");
-    command->add_option("--markdown", a->markdown, "The same as a table of Markdown, a .md")
-        ->type_name("FILE");
-    command
-        ->add_option("--fail-under",
-                     a->fail_under,
-                     "Exit with 1 if F (of folders: pooled) is "
-                     "below this")
-        ->type_name("F");
-    command->add_flag("--json", a->as_json, "Print JSON instead of a table");
+    // clang-format off
+    rows.text("--picture", a->picture, "FILE",
+              "PNG of what is right, missing and false; of folders: a folder for them");
+    rows.text("--csv", a->csv, "FILE", "CSV with a line per image");
+    rows.text("--markdown", a->markdown, "FILE", "The same as a table of Markdown, a .md");
+    rows.number("--fail-under", a->fail_under, {0, 1}, "F",
+                "Exit with 1 if F (of folders: pooled) is below this");
+    rows.flag("--json", a->as_json, "Print JSON instead of a table");
+    // clang-format on
     command->footer(
         "Example: inkbench score pred.png truth.exr --tol 1 --json\n"
         "         inkbench score render.exr --model scene.glb --views file\n"

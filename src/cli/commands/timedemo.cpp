@@ -6,6 +6,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/json_values.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/draw_options.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
@@ -67,7 +68,6 @@ void run_timedemo(const TimedemoArgs& args) {
     options.seed = asked.seed;
     options.frames = args.frames;
     options.lamps = shade::lamp_source(args.lights);
-    check_count("--frames", args.frames, 2, 10000);
     const harness::ViewRequest request = views_of(asked);
     if (request.time_s || request.frame) {
         throw core::Error(
@@ -108,10 +108,9 @@ void add_timedemo_command(CLI::App& app) {
     add_one_scene_options(*command, args->scene);
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
-    command->add_option("--frames", args->frames, "Frames of each camera path")
-        ->capture_default_str();
-    command->add_option("--view", args->view, "View where the camera starts (default: the first)")
-        ->type_name("NAME");
+    CommandRows rows(*command);
+    rows.number("--frames", args->frames, {2, 10000}, "N", "Frames of each camera path");
+    rows.text("--view", args->view, "NAME", "View where the camera starts (default: the first)");
     args->asked.add_to(*command, experiment::view_rows());
     args->asked.add_to(*command, {"grid.threads"}, "Threads of a method");
     args->asked.add_to(*command, {"seed"}, "Of the shaking camera and the sketching hand");
@@ -119,7 +118,7 @@ void add_timedemo_command(CLI::App& app) {
     args->asked.add_to(*command, {"measure.skips_off"});
     add_out_folder_option(
         *command, args->out, "Folder for timedemo.csv (default: it is not written)");
-    command->add_flag("--json", args->json, "Print JSON instead of the table");
+    rows.flag("--json", args->json, "Print JSON instead of the table");
     add_quiet_option(*command);
     command->footer(
         "Prints frames per second, with a legend below the table.\n"

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/commands/commands.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -12,6 +13,7 @@
 #include "cli/view_drawings.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/split_list.h"
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
 #include "draw/image_output.h"
@@ -127,21 +129,11 @@ bool check_truth(const TruthArgs& args, TracedView& traced) {
 /// The command without what does not say which truth it is, and without size and file, which a
 /// reader of it gives anew.
 std::string command_of_truth(const CLI::App& command) {
-    return recorded_command(command,
-                            {"--size",
-                             "--output",
-                             "--svg",
-                             "--image",
-                             "--crosscheck",
-                             "--disagreement",
-                             "--drawing",
-                             "--hidden",
-                             "--sheet",
-                             "--sheet-width",
-                             "--scale",
-                             "--threads",
-                             "--cache",
-                             "--no-cache"});
+    return recorded_command(
+        command,
+        core::split_list("--size, --output, --svg, --image, --crosscheck, --disagreement, "
+                         "--drawing, --hidden, --sheet, --sheet-width, --scale, --threads, "
+                         "--cache, --no-cache"));
 }
 
 void run_truth(TruthArgs args, const CLI::App& command) {
@@ -184,31 +176,23 @@ void add_truth_command(CLI::App& app) {
     auto args = std::make_shared<TruthArgs>();
     auto* command = app.add_subcommand("truth", "Trace the exact outline of one view");
     add_one_scene_options(*command, args->scene);
-    command
-        ->add_option("-o,--output",
-                     args->file,
-                     "By its ending: .png of class numbers (1 contour, 2 boundary, 3 crease, 4 "
-                     "intersection, 5 seam, 7 ignore), .exr of all layers, .svg of the curves")
-        ->type_name("FILE");
-    command->add_option("--svg", args->svg, "SVG of the curves, sub-pixel, with their attributes")
-        ->type_name("FILE");
-    command
-        ->add_option("--image,--picture",
-                     args->image,
-                     "PNG with a colour per class, for people; score takes the one of -o")
-        ->type_name("FILE");
-    command->add_flag("--crosscheck,--witness",
-                      args->crosscheck,
-                      "Compare the curves with dense sampling, and the rasterizer with Embree");
-    command
-        ->add_option("--disagreement",
-                     args->disagreement,
-                     "PNG of the lines that only one of the two has, with --crosscheck (default: "
-                     "inkbench-out/crosscheck/SCENE_VIEW.png)")
-        ->type_name("FILE");
+    CommandRows rows(*command);
+    // clang-format off
+    rows.text("-o,--output", args->file, "FILE",
+              "By its ending: .png of class numbers (1 contour, 2 boundary, 3 crease, 4 "
+              "intersection, 5 seam, 7 ignore), .exr of all layers, .svg of the curves");
+    rows.text("--svg", args->svg, "FILE",
+              "SVG of the curves, sub-pixel, with their attributes");
+    rows.text("--image,--picture", args->image, "FILE",
+              "PNG with a colour per class, for people; score takes the one of -o");
+    rows.flag("--crosscheck,--witness", args->crosscheck,
+              "Compare the curves with dense sampling, and the rasterizer with Embree");
+    rows.text("--disagreement", args->disagreement, "FILE",
+              "PNG of the lines that only one of the two has, with --crosscheck (default: "
+              "inkbench-out/crosscheck/SCENE_VIEW.png)");
+    // clang-format on
     add_drawing_options(*command, args->drawing);
-    command->add_option("--view", args->view, "Name of the view (default: the first)")
-        ->type_name("NAME");
+    rows.text("--view", args->view, "NAME", "Name of the view (default: the first)");
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
     args->options.add_to(*command, {"measure.creases"});

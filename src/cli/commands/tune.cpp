@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/commands/commands.h"
-#include "cli/name_list.h"
+#include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
@@ -42,7 +42,7 @@ struct TuneArgs {
     std::vector<std::string> methods;  ///< by --method
     std::string parameters;
     std::vector<std::string> settings;
-    std::string objective = "pooled";
+    tune::TuneObjective objective = tune::TuneObjective::pooled;
     std::optional<double> budget_ms;
     int evaluations = 300;
     std::string global = "crs";
@@ -73,14 +73,6 @@ std::vector<std::string> scenes_of(const TuneArgs& args) {
     return scene_names(scenes);
 }
 
-void check_choice(const char* option,
-                  const std::string& given,
-                  const std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), given) != names.end()) return;
-    throw core::Error(
-        option, fmt::format("there is no '{}'", given), core::known_names(names, given));
-}
-
 method::MethodConfig with_crease(const method::MethodConfig& config, double crease_deg) {
     std::vector<method::MethodConfig> configs = {config};
     methods::follow_crease(crease_deg, configs);
@@ -93,17 +85,12 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     const std::string method = method_of(args);
     options.config = methods::make_configs(method, args.settings).front();
     options.parameters = args.parameters;
-    const std::vector<std::string>& objectives = tune::objective_names();
-    check_choice("--objective", args.objective, objectives);
-    options.objective = static_cast<tune::TuneObjective>(
-        std::ranges::find(objectives, args.objective) - objectives.begin());
+    options.objective = args.objective;
     if (args.budget_ms && !(*args.budget_ms > 0)) {
         throw core::Error(
             "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
     }
     options.budget_ms = args.budget_ms;
-    check_count("--evaluations", args.evaluations, 1, 1000000);
-    check_choice("--global", args.global, search::global_searches());
     options.plan = {.evaluations = args.evaluations, .seed = asked.seed, .global = args.global};
     options.random = !args.no_random;
     options.trace = experiment::trace_of(asked, cache_folder(args.cache));
@@ -178,50 +165,32 @@ void add_tune_command(CLI::App& app) {
     auto args = std::make_shared<TuneArgs>();
     auto* command = app.add_subcommand(
         "tune", "Find the settings of a method that make the fewest errors on the training scenes");
+    CommandRows rows(*command);
+    // clang-format off
     // In capitals as there is an option of the same name; see add_scene_options.
-    command
-        ->add_option("METHOD",
-                     args->method,
-                     "Method to tune (see inkbench list methods), if not "
-                     "named by --method")
-        ->type_name("METHOD");
-    add_repeatable_option(
-        *command, "--method,--methods", args->methods, "The same, as an option", "METHOD");
-    command
-        ->add_option("--params",
-                     args->parameters,
-                     "What to tune: parameters a,b or a=low..high,b (default: those that the "
-                     "method marks as tunable, else its threshold)")
-        ->type_name("PARAMS");
+    rows.text("METHOD", args->method, "METHOD",
+              "Method to tune (see inkbench list methods), if not named by --method");
+    rows.list("--method,--methods", args->methods, "METHOD", "The same, as an option");
+    rows.text("--params", args->parameters, "PARAMS",
+              "What to tune: parameters a,b or a=low..high,b (default: those that the method "
+              "marks as tunable, else its threshold)");
     add_set_option(*command, args->settings, "A fixed parameter: key=value");
-    command
-        ->add_option(
-            "--objective",
-            args->objective,
-            "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
-            "scenes: (mean root of each scene's error) squared, so that every scene "
-            "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
-            "error of the worst kind; even: the mean error of kinds before the search, less what "
-            "is gained, of no scene more than 0.03; ap: 1 - average precision")
-        ->type_name(fmt::format("{}", fmt::join(tune::objective_names(), "|")))
-        ->capture_default_str();
-    command
-        ->add_option("--budget-ms",
-                     args->budget_ms,
-                     "Leave out settings whose median drawing takes longer on one thread; "
-                     "measured, so results depend on the machine")
-        ->type_name("MS");
-    command->add_option("--evaluations", args->evaluations, "Settings to try")
-        ->capture_default_str();
+    rows.choice("--objective", args->objective, tune::objective_names(),
+                "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
+                "scenes: (mean root of each scene's error) squared, so that every scene "
+                "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
+                "error of the worst kind; even: the mean error of kinds before the search, less "
+                "what is gained, of no scene more than 0.03; ap: 1 - average precision");
+    rows.number("--budget-ms", args->budget_ms, kAnyNumber, "MS",
+                "Leave out settings whose median drawing takes longer on one thread; measured, "
+                "so results depend on the machine");
+    rows.number("--evaluations", args->evaluations, {1, 1e6}, "N", "Settings to try");
     args->options.add_to(*command, {"seed"}, "Of the search");
-    command
-        ->add_option("--global",
-                     args->global,
-                     "Search for the first 60 % of the evaluations; the rest are local")
-        ->type_name(fmt::format("{}", fmt::join(search::global_searches(), "|")))
-        ->capture_default_str();
-    command->add_flag(
-        "--no-random", args->no_random, "Skip the random search with as many evaluations");
+    rows.choice("--global", args->global, search::global_searches(),
+                "Search for the first 60 % of the evaluations; the rest are local");
+    rows.flag("--no-random", args->no_random,
+              "Skip the random search with as many evaluations");
+    // clang-format on
     add_scene_options(*command,
                       args->scenes,
                       "Scenes or model files that take part (default: the catalogue): training "
@@ -231,14 +200,12 @@ void add_tune_command(CLI::App& app) {
                          "Says of model files which kind of thing they are, and which may be "
                          "searched, the others being only scored: a TOML file like "
                          "experiments/models.toml");
-    add_repeatable_option(
-        *command, "--unseen", args->unseen, "Scenes or model files that are only scored", "SCENES");
+    rows.list("--unseen", args->unseen, "SCENES", "Scenes or model files that are only scored");
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
-    command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
-        ->type_name("NAME");
+    rows.text("--name", args->name, "NAME", "Name of the preset (default: METHOD_tuned)");
     add_out_folder_option(*command, args->out, "Folder of the run, with NAME.toml");
-    command->add_flag(
+    rows.flag(
         "--force", args->is_forced, "Throw away the run that is in the folder, whatever it is");
     args->options.add_to(*command, {"grid.threads"}, "Threads; only times depend on it");
     add_cache_options(*command, args->cache);

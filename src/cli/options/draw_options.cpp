@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "cli/name_list.h"
+#include "cli/options/command_rows.h"
 #include "core/error.h"
 #include "core/parse_number.h"
 #include "core/split_list.h"
@@ -72,68 +72,44 @@ std::optional<shade::HandParams> parse_hand(const LookOptions& options) {
     return std::nullopt;
 }
 
-shade::DitherFormat parse_dither(const std::string& text) {
-    if (text == "none") return shade::DitherFormat::none;
-    if (text == "565") return shade::DitherFormat::rgb565;
-    if (text == "332") return shade::DitherFormat::rgb332;
-    throw core::Error("--dither", fmt::format("there is no dither '{}'", text), "none | 565 | 332");
-}
-
 }  // namespace
 
 void add_lights_option(CLI::App& command, std::string& text) {
-    command
-        .add_option("--lights",
-                    text,
-                    "What lights the shading: the lights of the file, or three lamps about the "
-                    "camera (default: the file's if it has any)")
-        ->type_name("file|studio");
+    CommandRows(command).text(
+        "--lights",
+        text,
+        "file|studio",
+        "What lights the shading: the lights of the file, or three lamps about the camera "
+        "(default: the file's if it has any)");
 }
 
 void add_look_options(CLI::App& command, LookOptions& options) {
     std::string names = "none";
     for (const shade::ShadingInfo& info : shade::shadings())
         names += "|" + info.name;
-    command.add_option("--shading", options.shading, "What is under the lines")
-        ->type_name(names)
-        ->capture_default_str();
-    add_repeatable_option(
-        command,
-        "--set-shade",
-        options.shade_settings,
-        "A parameter of the shading; may be given again (see inkbench list shadings)",
-        "KEY=VALUE");
+    constexpr const char* kColor = "R,G,B|#RRGGBB";
+    CommandRows rows(command);
+    // clang-format off
+    rows.text("--shading", options.shading, names, "What is under the lines");
+    rows.list("--set-shade", options.shade_settings, "KEY=VALUE",
+              "A parameter of the shading; may be given again (see inkbench list shadings)");
     add_lights_option(command, options.lights);
-    const auto add_color = [&](const char* name, std::string& to, const char* doc) {
-        command.add_option(name, to, doc)->type_name("R,G,B|#RRGGBB");
-    };
-    add_color("--ink", options.ink, "Colour of the lines (default: near black)");
-    add_color("--paper", options.paper, "Colour where nothing is (default: white)");
-    add_color("--surface",
-              options.surface,
+    rows.text("--ink", options.ink, kColor, "Colour of the lines (default: near black)");
+    rows.text("--paper", options.paper, kColor, "Colour where nothing is (default: white)");
+    rows.text("--surface", options.surface, kColor,
               "Colour of shaded surfaces, with --shading (default: light grey)");
-    command
-        .add_option("--line-width",
-                    options.line_width_px,
-                    "Thin the lines and draw them this wide; 0 leaves them as the method draws "
-                    "them, and 2 px wide by hand")
-        ->type_name("PX")
-        ->capture_default_str();
-    command.add_flag("--hand-drawn", options.hand_drawn, "Draw the lines as if by hand");
-    add_repeatable_option(
-        command,
-        "--set-hand",
-        options.hand_settings,
-        "A parameter of the hand; may be given again (see inkbench list shadings)",
-        "KEY=VALUE");
-    command.add_option("--seed", options.seed, "Seed of the hand (default: 0)")->type_name("N");
-    command
-        .add_option("--antialias", options.antialias, "Draw at N x N the size and average, 1..8")
-        ->type_name("N")
-        ->capture_default_str();
-    command.add_option("--dither", options.dither, "Ordered dither to a frame buffer's bits")
-        ->type_name("none|565|332")
-        ->capture_default_str();
+    rows.number("--line-width", options.line_width_px, {0, draw::kMostLineWidth_px}, "PX",
+                "Thin the lines and draw them this wide; 0 leaves them as the method draws them, "
+                "and 2 px wide by hand");
+    rows.flag("--hand-drawn", options.hand_drawn, "Draw the lines as if by hand");
+    rows.list("--set-hand", options.hand_settings, "KEY=VALUE",
+              "A parameter of the hand; may be given again (see inkbench list shadings)");
+    rows.text("--seed", options.seed, "N", "Seed of the hand (default: 0)");
+    rows.number("--antialias", options.antialias, {1, draw::kMostAntialias}, "N",
+                "Draw at N x N the size and average, 1..8");
+    rows.choice("--dither", options.dither, {"none", "565", "332"},
+                "Ordered dither to a frame buffer's bits");
+    // clang-format on
 }
 
 draw::DrawOptions drawing_looks(const LookOptions& options) {
@@ -145,18 +121,8 @@ draw::DrawOptions drawing_looks(const LookOptions& options) {
     looks.surface = parse_color(options.surface, "--surface");
     looks.hand = parse_hand(options);
     if (!options.seed.empty()) looks.seed = experiment::parse_seed({options.seed, "--seed"});
-    looks.dither = parse_dither(options.dither);
-    if (!(options.line_width_px >= 0 && options.line_width_px <= draw::kMostLineWidth_px)) {
-        throw core::Error("--line-width",
-                          fmt::format("lines cannot be {:g} px wide", options.line_width_px),
-                          fmt::format("0..{:g}", draw::kMostLineWidth_px));
-    }
+    looks.dither = options.dither;
     looks.line_width_px = options.line_width_px;
-    if (options.antialias < 1 || options.antialias > draw::kMostAntialias) {
-        throw core::Error("--antialias",
-                          fmt::format("{0} x {0} is not possible", options.antialias),
-                          fmt::format("1..{}", draw::kMostAntialias));
-    }
     looks.antialias = options.antialias;
     return looks;
 }

@@ -21,7 +21,7 @@ struct LookOptions {
     std::vector<std::string> hand_settings;
     std::string seed;
     int antialias = 1;
-    std::string dither = "none";
+    shade::DitherFormat dither = shade::DitherFormat::none;
 
     friend bool operator==(const LookOptions&, const LookOptions&) = default;
 };

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/name_list.h"
+#include "cli/options/command_rows.h"
 #include "experiment/options/option_table.h"
 #include "experiment/options/view_rows.h"
 
@@ -38,7 +39,7 @@ void ExperimentOptions::add_to(CLI::App& command,
             command.add_flag_callback(
                 flag, [&given, value] { given = {value}; }, help);
         } else if (param.kind == core::ParamKind::list && !table.options[row].is_once) {
-            add_repeatable_option(command, flag, given, help, type_of(param));
+            CommandRows(command).list(flag, given, type_of(param), help);
         } else {
             command.add_option(flag, given, help)
                 ->type_name(type_of(param))
@@ -74,8 +75,7 @@ const std::vector<std::string>& ExperimentOptions::given(const std::string& row)
 
 std::string flag_of(const std::string& row) {
     const experiment::OptionTable& table = experiment::option_table();
-    const std::string& flag = table.options[table.row(row)].flag;
-    return flag.substr(0, flag.find(','));
+    return called(table.options[table.row(row)].flag);
 }
 
 const std::vector<std::string>& truth_rows() {

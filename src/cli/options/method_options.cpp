@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/name_list.h"
+#include "cli/options/command_rows.h"
 #include "core/error.h"
 #include "core/named.h"
 #include "methods/registry.h"
@@ -19,21 +20,20 @@ std::string joined(const std::vector<std::string>& names) {
 void add_method_options(CLI::App& command,
                         std::vector<std::string>& texts,
                         const std::string& usual) {
-    add_repeatable_option(
-        command,
+    CommandRows(command).list(
         "--methods,--method",
         texts,
+        "METHODS",
         fmt::format(
             "Methods a,b or globs such as 'mote*' (see inkbench list methods) (default: {})",
-            usual),
-        "METHODS");
+            usual));
 }
 
 void add_one_method_option(CLI::App& command,
                            std::vector<std::string>& texts,
                            const std::string& usual,
                            const std::string& doc) {
-    add_repeatable_option(command, "--method,--methods", texts, doc, "METHOD")->default_str(usual);
+    CommandRows(command).list("--method,--methods", texts, "METHOD", doc)->default_str(usual);
 }
 
 std::vector<std::string> method_words() {
@@ -56,11 +56,8 @@ std::string one_method(const std::vector<std::string>& texts,
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
-    add_repeatable_option(command,
-                          "--set",
-                          settings,
-                          doc + "; may be given again (see inkbench list params)",
-                          "KEY=VALUE");
+    CommandRows(command).list(
+        "--set", settings, "KEY=VALUE", doc + "; may be given again (see inkbench list params)");
 }
 
 }  // namespace ink::cli

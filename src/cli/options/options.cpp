@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "cli/options/command_rows.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
@@ -28,17 +29,11 @@ std::string quoted(const std::string& word) {
 }  // namespace
 
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc) {
-    auto* option =
-        command.add_option("-o,--out", out, doc)->type_name("DIR")->capture_default_str();
-    return option->check([](const std::string& folder) {
-        return std::string(folder.empty() ? "an empty name is no folder" : "");
-    });
-}
-
-void check_count(const char* option, int count, int least, int most) {
-    if (count >= least && count <= most) return;
-    throw core::Error(
-        option, fmt::format("{} is not possible", count), fmt::format("{}..{}", least, most));
+    return CommandRows(command)
+        .text("-o,--out", out, "DIR", doc)
+        ->check([](const std::string& folder) {
+            return std::string(folder.empty() ? "an empty name is no folder" : "");
+        });
 }
 
 void add_quiet_option(CLI::App& command) {
@@ -70,13 +65,12 @@ std::string recorded_command(const CLI::App& command, const std::vector<std::str
 }
 
 void add_cache_options(CLI::App& command, CacheOptions& options) {
-    command
-        .add_option("--cache",
-                    options.folder,
-                    "Folder of traced truths (default: $XDG_CACHE_HOME/inkbench, or "
-                    "~/.cache/inkbench)")
-        ->type_name("DIR");
-    command.add_flag("--no-cache", options.none, "Trace every truth again and keep none");
+    CommandRows rows(command);
+    rows.text("--cache",
+              options.folder,
+              "DIR",
+              "Folder of traced truths (default: $XDG_CACHE_HOME/inkbench, or ~/.cache/inkbench)");
+    rows.flag("--no-cache", options.none, "Trace every truth again and keep none");
 }
 
 std::filesystem::path cache_folder(const CacheOptions& options) {

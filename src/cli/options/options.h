@@ -15,9 +15,6 @@ inline constexpr const char* kUnscoredCode =
 /// Adds --out DIR, or -o DIR: the folder that a command writes; `doc` says what into it.
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc);
 
-/// Throws core::Error (where = `option`) unless `count` is within `least`..`most`.
-void check_count(const char* option, int count, int least, int most);
-
 /// Adds --quiet, which silences every core::Progress of the process.
 void add_quiet_option(CLI::App& command);
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "cli/options/command_rows.h"
 #include "cli/options/method_options.h"
 #include "cli/place.h"
 #include "cli/run_result.h"
@@ -126,29 +127,23 @@ void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
 }  // namespace
 
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
+    CommandRows rows(command);
+    // clang-format off
     add_out_folder_option(command, options.out, "Folder of the run");
-    command.add_option("--shard", options.shard, "Only this share; see inkbench merge")
-        ->type_name("I/N")
-        ->capture_default_str();
-    command.add_flag(
-        "--force", options.is_forced, "Throw away the run that is in the folder, whatever it is");
-    command.add_flag("--no-times",
-                     options.no_times,
-                     "Leave columns of times empty: the same bytes on every run");
-    command
-        .add_option(
-            "--lanes",
-            options.lanes,
-            "Scenes worked on at a time, at most; one where a timed loop does not bear neighbours "
-            "(default: one per core)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
-    command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
-    command.add_flag("--status",
-                     options.is_status,
-                     "Say how far the run has come, with its shares in DIR.parts/I-of-N");
+    rows.text("--shard", options.shard, "I/N", "Only this share; see inkbench merge");
+    rows.flag("--force", options.is_forced,
+              "Throw away the run that is in the folder, whatever it is");
+    rows.flag("--no-times", options.no_times,
+              "Leave columns of times empty: the same bytes on every run");
+    rows.number("--lanes", options.lanes, {1, 1024}, "N",
+                "Scenes worked on at a time, at most; one where a timed loop does not bear "
+                "neighbours (default: one per core)");
+    rows.flag("--dry-run", options.is_dry, "List the blocks and what they may take");
+    rows.flag("--status", options.is_status,
+              "Say how far the run has come, with its shares in DIR.parts/I-of-N");
     add_quiet_option(command);
-    command.add_flag("--json", options.is_json, "Print the result as JSON");
+    rows.flag("--json", options.is_json, "Print the result as JSON");
+    // clang-format on
 }
 
 MeasureArgs::MeasureArgs(const std::string& name, const std::string& out) {
@@ -182,7 +177,7 @@ void run_to_end(const CLI::App& command,
     run.out = options.out.empty() ? std::filesystem::path("inkbench-out") / experiment.name
                                   : std::filesystem::path(options.out);
     run.is_forced = options.is_forced;
-    run.lanes = options.lanes;
+    run.lanes = options.lanes.value_or(0);
     run.cut_off = [&] { write_verdict(run.out); };
     if (!core::progress_display().is_quiet) run.say = say;
     const experiment::Plan plan = make_plan(experiment, cache_folder(cache));

@@ -15,7 +15,7 @@ struct RunFolderOptions {
     std::string out = {};
     std::string shard = "1/1";
     bool is_forced = false;
-    int lanes = 0;  ///< 0: as many as there are cores for
+    std::optional<int> lanes = {};  ///< none: as many as there are cores for
     bool no_times = false;
     bool is_json = false;
     bool is_dry = false;

@@ -8,6 +8,7 @@
 
 #include "catalogue/catalogue.h"
 #include "cli/name_list.h"
+#include "cli/options/command_rows.h"
 #include "core/error.h"
 #include "core/named.h"
 #include "experiment/experiment.h"
@@ -81,22 +82,21 @@ void add_texts(const std::vector<std::string>& texts, const Names& names, NameLi
 // dashes.
 
 void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& doc) {
-    command.add_option(kType, options.named, doc + "; the same as --scenes")->type_name(kType);
-    add_repeatable_option(command,
-                          "--scenes,--scene",
-                          options.listed,
-                          "Built-in scenes and model files a,b; train, heldout or catalogue; globs "
-                          "such as 'c*' (see inkbench list scenes)",
-                          kType);
+    CommandRows rows(command);
+    rows.text(kType, options.named, kType, doc + "; the same as --scenes");
+    rows.list("--scenes,--scene",
+              options.listed,
+              kType,
+              "Built-in scenes and model files a,b; train, heldout or catalogue; globs such as "
+              "'c*' (see inkbench list scenes)");
 }
 
 void add_one_scene_options(CLI::App& command, SceneOptions& options) {
+    CommandRows rows(command);
     // As a list, so that a second scene is refused in our own words.
-    command.add_option(kOneType, options.named, "A built-in scene or a model file")
-        ->type_name(kOneType)
+    rows.text(kOneType, options.named, kOneType, "A built-in scene or a model file")
         ->option_text(kOneType);
-    add_repeatable_option(
-        command, "--scene,--scenes", options.listed, "The same, as an option", kOneType);
+    rows.list("--scene,--scenes", options.listed, kOneType, "The same, as an option");
 }
 
 std::vector<std::string> scene_words() {

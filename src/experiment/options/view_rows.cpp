@@ -344,21 +344,10 @@ void add_view_rows(OptionTable& table) {
 }
 
 const std::vector<std::string>& view_rows() {
-    static const std::vector<std::string> rows = {"grid.sizes",
-                                                  "views.views",
-                                                  "grid.projections",
-                                                  "views.parallel_height",
-                                                  "views.fit",
-                                                  "views.margin",
-                                                  "views.objects",
-                                                  "views.eye",
-                                                  "views.target",
-                                                  "views.up",
-                                                  "views.fov_deg",
-                                                  "views.time_s",
-                                                  "views.frame",
-                                                  "views.animation",
-                                                  "grid.seams"};
+    static const std::vector<std::string> rows = core::split_list(
+        "grid.sizes, views.views, grid.projections, views.parallel_height, views.fit, "
+        "views.margin, views.objects, views.eye, views.target, views.up, views.fov_deg, "
+        "views.time_s, views.frame, views.animation, grid.seams");
     return rows;
 }
 
