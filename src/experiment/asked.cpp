@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <glm/trigonometric.hpp>
 #include <sstream>
 
 #include "core/named.h"
@@ -17,20 +15,13 @@ toml::array point(const glm::dvec3& p) {
     return toml::array{p.x, p.y, p.z};
 }
 
-/// The degrees that are read back as this angle, in few digits if there are such.
-double degrees_of(double angle_rad) {
-    const double deg = glm::degrees(angle_rad);
-    for (const double near : {std::round(deg * 1e9) / 1e9, std::nextafter(deg, 0.0)})
-        if (glm::radians(near) == angle_rad) return near;
-    return glm::radians(deg) == angle_rad ? deg : std::nextafter(deg, 180.0);
-}
-
 toml::array cameras_of(const harness::ViewRequest& request) {
     toml::array cameras;
     for (const harness::CameraRequest& camera : request.cameras) {
-        toml::table table{{"eye", point(camera.eye_world)}, {"up", point(camera.up_world)}};
+        toml::table table{{"eye", point(camera.eye_world)},
+                          {"up", point(camera.up_world)},
+                          {"fov_deg", camera.fov_deg}};
         if (camera.target_world) table.insert("target", point(*camera.target_world));
-        if (camera.fov_y_rad) table.insert("fov_deg", degrees_of(*camera.fov_y_rad));
         if (camera.height_world) table.insert("parallel_height", *camera.height_world);
         cameras.push_back(std::move(table));
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/trigonometric.hpp>
 #include <optional>
 
 #include "core/error.h"
@@ -67,8 +66,10 @@ std::string all_methods(const Experiment& experiment) {
 
 /// Adds "key=value" that was given at a place.
 void add_setting(const core::GivenText& setting, Experiment& experiment) {
-    at_place(setting.where,
-             [&] { (void)methods::make_configs(all_methods(experiment), {setting.text}); });
+    at_place(setting.where, [&] {
+        (void)methods::make_configs(
+            all_methods(experiment), {setting.text}, experiment.compare.presets);
+    });
     experiment.settings.push_back(setting.text);
 }
 
@@ -197,7 +198,7 @@ harness::CameraRequest read_camera(const core::TomlReader& table) {
     camera.target_world = read_point(table, "target");
     if (const auto up_world = read_point(table, "up"))
         camera.up_world = checked_direction(*up_world, {"up", table.where("up")});
-    camera.fov_y_rad = glm::radians(read_number(table, "fov_deg").value_or(kFov_deg));
+    camera.fov_deg = read_number(table, "fov_deg").value_or(camera.fov_deg);
     if (const auto height_world = read_number(table, "parallel_height"))
         camera.height_world =
             at_place(table.where("parallel_height"), [&] { return checked_height(*height_world); });
@@ -245,7 +246,7 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     core::TomlReader views = reader.table_or_empty("views");
     read_views(views, is_record, experiment);
     if (experiment.kind == ExperimentKind::hardest) add_searched_methods(experiment);
-    if (experiment.methods.empty())
+    if (experiment.methods.empty() && !is_record)
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");
     read_settings(reader, experiment);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <glm/trigonometric.hpp>
 #include <map>
 #include <utility>
 
@@ -226,7 +225,7 @@ Camera::Camera(py::object eye_given,
                            ? experiment::parse_direction(up_text)
                            : experiment::checked_direction(point_of(up, up_text), up_text);
     if (parallel_height.is_none()) {
-        request.fov_y_rad = glm::radians(number_of(fov_deg, "--fov", "1..170"));
+        request.fov_deg = number_of(fov_deg, "--fov", "1..170");
     } else {
         request.height_world = experiment::checked_height(
             number_of(parallel_height, "--parallel", "a length above 0"));
@@ -293,7 +292,7 @@ void add_camera(py::module_& module) {
              py::arg("eye"),
              py::arg("target") = py::none(),
              py::arg("up") = py::make_tuple(0, 1, 0),
-             py::arg("fov_deg") = experiment::kFov_deg,
+             py::arg("fov_deg") = harness::CameraRequest{}.fov_deg,
              py::arg("size") = py::make_tuple(1280, 720),
              py::arg("parallel_height") = py::none())
         .def_readonly("eye", &Camera::eye, "Where it is.")

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "catalogue/shapes.h"
@@ -32,7 +33,7 @@ harness::SceneViews cube() {
     harness::CameraRequest camera;
     camera.eye_world = {0, 0, 6};
     camera.target_world = glm::dvec3(0);
-    camera.fov_y_rad = 2 * std::atan(24.0 / 60);  // a focal length of 60 px
+    camera.fov_deg = glm::degrees(2 * std::atan(24.0 / 60));  // a focal length of 60 px
     request.cameras = {camera};
     return harness::make_scene_views(scene::scene_of(scene::unit_cube()), request);
 }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <glm/trigonometric.hpp>
 
 #include "core/error.h"
 #include "core/named.h"
@@ -232,7 +231,7 @@ TEST(ExperimentFile, AsksForCamerasAndOptionsOfViews) {
            "{eye = [1, 2, 6], parallel_height = 2.5}]\ntime_s = 0.25\n");
     ASSERT_EQ(own.cameras.size(), 2U);
     EXPECT_EQ(own.cameras[0].target_world, glm::dvec3(0.1, 0, 0));
-    EXPECT_EQ(own.cameras[0].fov_y_rad, glm::radians(30.0));
+    EXPECT_EQ(own.cameras[0].fov_deg, 30);
     EXPECT_EQ(own.cameras[0].up_world, glm::dvec3(0, 0, 1));
     EXPECT_EQ(own.cameras[1].height_world, 2.5);
     EXPECT_EQ(own.cameras[1].target_world, std::nullopt);

@@ -125,7 +125,7 @@ TEST(SceneViews, ACatalogueSceneHasItsOwnViews) {
 
 TEST(SceneViews, AnAskedEyeIsTheEyeWithItsClipRangeFitted) {
     ViewRequest request;
-    request.cameras.push_back({{0, 0, 10}, std::nullopt, {0, 1, 0}, std::nullopt});
+    request.cameras.push_back({{0, 0, 10}, std::nullopt});
     const SceneViews scene_views = make_scene_views(model(), request);
     ASSERT_EQ(scene_views.views.size(), 1U);
     const scene::Camera& camera = scene_views.views[0].camera;
@@ -144,8 +144,7 @@ TEST(SceneViews, ACameraOfTheUserStandsInTheFilesOwnCoordinates) {
     scene::Scene far = model();
     far.origin = {691000, 0, 5335000};
     ViewRequest request;
-    request.cameras.push_back(
-        {{691000, 1, 5335010}, glm::dvec3(691000, 1, 5335000), {0, 1, 0}, std::nullopt});
+    request.cameras.push_back({{691000, 1, 5335010}, glm::dvec3(691000, 1, 5335000)});
     const scene::Camera camera = make_scene_views(far, request).views[0].camera;
     EXPECT_EQ(camera.eye_world, glm::dvec3(0, 1, 10));
     EXPECT_EQ(camera.view_from_world, glm::dmat3(1)) << "it looks along -z";
@@ -186,12 +185,6 @@ TEST(SceneViews, AFilesCameraKeepsItsProjection) {
     EXPECT_EQ(make_scene_views(scene, request).views[0].camera.height_world, 3);
     request.projections = {scene::ProjectionKind::perspective};
     EXPECT_FALSE(make_scene_views(scene, request).views[0].camera.is_parallel());
-}
-
-TEST(SceneViews, SeamsStandBetweenObjectsOrMaterials) {
-    EXPECT_FALSE(parse_seams("objects", "--seams"));
-    EXPECT_TRUE(parse_seams("materials", "--seams"));
-    EXPECT_THROW((void)parse_seams("groups", "--seams"), core::Error);
 }
 
 TEST(Size, AbsurdSizesNameTheLimits) {

@@ -112,7 +112,7 @@ TEST(Timedemo, AnEyeInsideLooksAbout) {
     harness::ViewRequest request;
     request.width_px = 64;
     request.height_px = 48;
-    request.cameras.push_back({{0, 0, 0.01}, glm::dvec3(1, 0, 0), {0, 1, 0}, std::nullopt});
+    request.cameras.push_back({{0, 0, 0.01}, glm::dvec3(1, 0, 0)});
     TimedemoOptions options;
     options.configs = methods::make_configs("mote4", {});
     options.frames = 2;

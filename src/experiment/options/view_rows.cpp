@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "core/error.h"
@@ -119,11 +118,8 @@ void read_objects(Experiment& e, const Given& objects) {
 
 void read_eyes(Experiment& e, const Given& eyes) {
     e.view_request.cameras.clear();
-    for (const core::GivenText& eye : eyes) {
-        harness::CameraRequest& camera = e.view_request.cameras.emplace_back();
-        camera.eye_world = parse_point(eye);
-        camera.fov_y_rad = glm::radians(kFov_deg);
-    }
+    for (const core::GivenText& eye : eyes)
+        e.view_request.cameras.emplace_back().eye_world = parse_point(eye);
 }
 
 /// The cameras that an option belongs to.
@@ -154,7 +150,7 @@ void read_fov(Experiment& e, const Given& given) {
         throw core::Error(
             given.front().where, fmt::format("'{}' is no number", given.front().text), "1..170");
     for (harness::CameraRequest& camera : cameras)
-        camera.fov_y_rad = glm::radians(*fov_deg);
+        camera.fov_deg = *fov_deg;
 }
 
 std::optional<harness::UpAxis> axis_called(const std::string& name) {
@@ -203,8 +199,9 @@ void add_number(core::ParamTable<Experiment>& rows, const core::Param& param) {
         [param](Experiment& e, const Given& given) {
             using Number =
                 typename std::remove_reference_t<decltype(e.view_request.*kMember)>::value_type;
-            e.view_request.*kMember =
-                static_cast<Number>(core::parse_param(param, given.front(), "it"));
+            const bool is_option = given.front().where.starts_with("--");
+            e.view_request.*kMember = static_cast<Number>(
+                core::parse_param(param, given.front(), is_option ? "it" : param.name));
         },
         [](const Experiment& e) {
             const auto& number = e.view_request.*kMember;
@@ -322,7 +319,8 @@ void add_view_rows(OptionTable& table) {
         read_up, up_text);
     in(kNoFile, "--fov").texts(
         {.name = "views.fov_deg", .kind = Kind::text, .unit = "DEGREES",
-         .doc = fmt::format("Vertical field of view, with --eye (default: {:g})", kFov_deg)},
+         .doc = fmt::format("Vertical field of view, with --eye (default: {:g})",
+                            harness::CameraRequest{}.fov_deg)},
         read_fov, none);
     add_number<&V::time_s>(in(kViews, "--time"),
         {.name = "views.time_s", .kind = Kind::real, .min = -kMost, .max = kMost, .unit = "SECONDS",

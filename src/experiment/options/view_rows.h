@@ -8,8 +8,6 @@
 
 namespace ink::experiment {
 
-inline constexpr double kFov_deg = 40;  ///< of a camera that is set by hand
-
 /// Adds the rows that say which views are meant, and how they look, to the table of all options.
 ///
 /// Commands have --views and --eye with what belongs to it, files `orbit`, `directions`,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 #include <set>
 
 #include "catalogue/catalogue.h"
@@ -23,7 +23,6 @@ constexpr int kMaxSide_px = 16384;
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
 constexpr int kModelViews = 3;
 constexpr double kMargin = 0.04;
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 bool is_catalogue_name(const std::string& what) {
     return core::find_named(catalogue::catalogue(), what) != nullptr;
@@ -184,12 +183,10 @@ void pose_as_asked(scene::Scene& scene, const ViewRequest& request) {
 scene::Camera make_camera(const CameraRequest& request,
                           const glm::dvec3& origin,
                           const scene::Sphere& bounds) {
-    const double fov_y_rad = request.fov_y_rad.value_or(scene::Camera{}.fov_y_rad);
-    if (!(fov_y_rad >= 1 * kRadPerDeg && fov_y_rad <= 170 * kRadPerDeg)) {
-        throw core::Error(
-            "--fov",
-            fmt::format("the field of view cannot be {:g} degrees", fov_y_rad / kRadPerDeg),
-            "1..170");
+    if (!(request.fov_deg >= 1 && request.fov_deg <= 170)) {
+        throw core::Error("--fov",
+                          fmt::format("the field of view cannot be {:g} degrees", request.fov_deg),
+                          "1..170");
     }
     const glm::dvec3 target_world =
         request.target_world ? *request.target_world - origin : bounds.center_world;
@@ -201,7 +198,8 @@ scene::Camera make_camera(const CameraRequest& request,
         return scene::parallel_camera(
             {target_world, way_world, request.up_world, *request.height_world}, bounds);
     }
-    scene::Camera camera = scene::look_at(eye_world, target_world, request.up_world, fov_y_rad);
+    scene::Camera camera =
+        scene::look_at(eye_world, target_world, request.up_world, glm::radians(request.fov_deg));
     scene::fit_clip_range(camera, bounds);
     return camera;
 }
@@ -224,12 +222,6 @@ void check_size(int width_px, int height_px) {
             fmt::format("no image can be {}x{} px", width_px, height_px),
             fmt::format("1..{} px a side, {} Mpx at most", kMaxSide_px, kMaxPixels >> 20));
     }
-}
-
-bool parse_seams(const std::string& seams, const std::string& where) {
-    if (seams == "objects" || seams == "materials") return seams == "materials";
-    throw core::Error(
-        where, fmt::format("there are no seams between '{}'", seams), "objects, materials");
 }
 
 scene::Scene load_scene(const std::string& what,

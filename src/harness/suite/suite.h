@@ -19,7 +19,7 @@ struct CameraRequest {
     glm::dvec3 eye_world{0};
     std::optional<glm::dvec3> target_world;  ///< default: the scene's centre
     glm::dvec3 up_world{0, 1, 0};
-    std::optional<double> fov_y_rad;          ///< of a pinhole; default: 40 degrees
+    double fov_deg = 40;                      ///< of a pinhole, vertical
     std::optional<double> height_world = {};  ///< seen by a parallel camera, instead
 };
 
@@ -120,10 +120,6 @@ struct SceneViews {
 [[nodiscard]] SceneViews load_one_view(const std::string& what,
                                        const std::string& view_name,
                                        const ViewRequest& request);
-
-/// Whether `seams`, "objects" or "materials", lets seams stand between materials, too; throws
-/// core::Error (where = `where`) for other text.
-[[nodiscard]] bool parse_seams(const std::string& seams, const std::string& where);
 
 /// Throws core::Error (where = "--size") unless an image of this size can be drawn.
 void check_size(int width_px, int height_px);

@@ -43,7 +43,7 @@ double to_decimals(double x, int decimals) {
 }  // namespace
 
 harness::CameraRequest ViewChoice::camera() const {
-    return {.eye_world = eye, .target_world = target, .fov_y_rad = glm::radians(fov_deg)};
+    return {.eye_world = eye, .target_world = target, .fov_deg = fov_deg};
 }
 
 ViewSpace::ViewSpace(const scene::Scene& scene) : origin_(scene.origin) {
