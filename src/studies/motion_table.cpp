@@ -12,8 +12,7 @@ std::int64_t total(const std::vector<std::int64_t>& counts) {
 }
 
 /// Counts that a cell has if it did not fail.
-template <class Counts>
-void add_flicker(const Counts& counts) {
+void add_flicker(const core::PartOf<harness::OfCell<MotionRow>>& counts) {
     using F = score::Flicker;
     const auto flicker = counts.part(&MotionRow::flicker);
     flicker.add_derived(
@@ -27,8 +26,7 @@ void add_flicker(const Counts& counts) {
     flicker.add({"counted_px", "px", "drawn pixels of both frames of each step"}, &F::n_counted);
 }
 
-template <class Counts>
-void add_pops(const Counts& counts) {
+void add_pops(const core::PartOf<harness::OfCell<MotionRow>>& counts) {
     using P = score::PopCount;
     counts.add_derived({"pops_per_s", "1/s", "pops per persistent feature and second"},
                        [](const MotionRow& m) { return m.pops.per_second(m.frames_per_s); });
@@ -38,8 +36,7 @@ void add_pops(const Counts& counts) {
     pops.add({"feature_steps", "", "steps from frame to frame in these runs"}, &P::steps);
 }
 
-template <class Counts>
-void add_false_lines(const Counts& counts) {
+void add_false_lines(const core::PartOf<harness::OfCell<MotionRow>>& counts) {
     counts.add_derived({"false_lines", "", "lines drawn where none is"},
                        [](const MotionRow& m) { return total(m.lives); });
     counts.add({"false_lines_cut", "", "of them, in the first or last frame: they may live longer"},

@@ -74,8 +74,7 @@ void add_recalls(SummaryTable& table) {
     }
 }
 
-template <class Summary>
-void add_f(const Summary& summary) {
+void add_f(const core::PartOf<const MethodSummary>& summary) {
     using S = MethodSummary;
     summary.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all views"}, &S::f_2px);
     summary.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, scenes resampled"},

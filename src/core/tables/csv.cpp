@@ -1,5 +1,7 @@
 #include "core/tables/csv.h"
 
+#include <fmt/format.h>
+
 namespace ink::core {
 
 std::string csv_field(const std::string& text) {
@@ -10,6 +12,18 @@ std::string csv_field(const std::string& text) {
         quoted += c;
     }
     return quoted + '"';
+}
+
+std::string number_text(double value) {
+    return fmt::format("{}", value);
+}
+
+std::string number_text(std::int64_t value) {
+    return fmt::format("{}", value);
+}
+
+std::string number_text(std::uint64_t value) {
+    return fmt::format("{}", value);
 }
 
 }  // namespace ink::core

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 
 namespace ink::core {
 namespace {
@@ -108,5 +110,18 @@ void CsvField::read(bool& value) const {
     if (raw() != "true" && raw() != "false") refuse("true or false");
     value = raw() == "true";
 }
+
+template <class T>
+requires std::is_arithmetic_v<T>
+void CsvField::read(T& value) const {
+    const auto number = parse_number<T>(raw());
+    const char* whole = std::is_signed_v<T> ? "an integer" : "an integer from 0";
+    if (!number) refuse(std::is_integral_v<T> ? whole : "a number");
+    value = *number;
+}
+template void CsvField::read(int&) const;
+template void CsvField::read(double&) const;
+template void CsvField::read(std::int64_t&) const;
+template void CsvField::read(std::uint64_t&) const;
 
 }  // namespace ink::core

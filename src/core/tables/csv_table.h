@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
-#include "core/parse_number.h"
 #include "core/tables/table.h"
 
 namespace ink::core {
@@ -50,14 +49,10 @@ class CsvField {
     /// Reads the field into `value`, which must hold all of it: "1.5" is no integer.
     void read(std::string& value) const { value = text(); }
     void read(bool& value) const;  ///< true, false
+    /// int, double, std::int64_t or std::uint64_t.
     template <class T>
     requires std::is_arithmetic_v<T>
-    void read(T& value) const {
-        const auto number = parse_number<T>(raw());
-        const char* whole = std::is_signed_v<T> ? "an integer" : "an integer from 0";
-        if (!number) refuse(std::is_integral_v<T> ? whole : "a number");
-        value = *number;
-    }
+    void read(T& value) const;
     /// Nothing for an empty field.
     template <class T>
     void read(std::optional<T>& value) const {

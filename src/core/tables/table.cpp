@@ -8,6 +8,17 @@
 
 namespace ink::core {
 
+Column::Column(std::string_view called,
+               std::string_view measured_in,
+               std::string_view meaning,
+               bool holds_time)
+    : name(called), unit(measured_in), doc(meaning), is_time(holds_time) {}
+Column::Column(const Column&) = default;
+Column::Column(Column&&) noexcept = default;
+Column& Column::operator=(const Column&) = default;
+Column& Column::operator=(Column&&) noexcept = default;
+Column::~Column() = default;
+
 std::string heading(const TableInfo& table) {
     return fmt::format("{}\n", fmt::join(names_of(table.columns), ","));
 }

@@ -1,12 +1,23 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ink::core {
 
 /// A column of a table of a run folder.
 struct Column {
+    Column(std::string_view called,
+           std::string_view measured_in,
+           std::string_view meaning,
+           bool holds_time = false);
+    Column(const Column&);
+    Column(Column&&) noexcept;
+    Column& operator=(const Column&);
+    Column& operator=(Column&&) noexcept;
+    ~Column();  // all of them compiled once: tables have hundreds of columns
+
     std::string name;
     std::string unit;  ///< "px", "ns", "0..1"; empty for text and plain counts
     std::string doc;   ///< what it means, in a sentence or less

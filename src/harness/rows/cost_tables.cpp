@@ -5,8 +5,7 @@
 namespace ink::harness {
 namespace {
 
-template <class Facts>
-void add_declared(const Facts& facts) {
+void add_declared(const core::PartOf<CostFacts>& facts) {
     using C = method::Cost;
     using B = method::PixelBytes;
     const auto declared = facts.part(&CostFacts::declared);
@@ -30,8 +29,7 @@ void add_declared(const Facts& facts) {
                  &C::buffer_bytes_per_px);
 }
 
-template <class Facts>
-void add_frame(const Facts& facts) {
+void add_frame(const core::PartOf<CostFacts>& facts) {
     using F = FrameCounts;
     const auto frame = facts.part(&CostFacts::frame);
     frame.add({"frame_vertices", "", "of the meshes, counted once per instance"}, &F::vertices);

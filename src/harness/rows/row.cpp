@@ -38,6 +38,13 @@ auto scores_of(AnyRow& row) {
 
 }  // namespace
 
+Row::Row() = default;
+Row::Row(const Row&) = default;
+Row::Row(Row&&) noexcept = default;
+Row& Row::operator=(const Row&) = default;
+Row& Row::operator=(Row&&) noexcept = default;
+Row::~Row() = default;
+
 Place place_of(const Row& row) {
     return {row.scene, row.view, row.width, row.height};
 }

@@ -27,6 +27,13 @@ namespace ink::harness {
 ///
 /// Empty optionals are written as empty fields, never as 0 or NaN.
 struct Row {
+    Row();
+    Row(const Row&);
+    Row(Row&&) noexcept;
+    Row& operator=(const Row&);
+    Row& operator=(Row&&) noexcept;
+    ~Row();  // all of them compiled once: they are long, and many copy rows
+
     std::int64_t cell = 0;  ///< its number in rows.csv, as read back
     int setting = 0;        ///< of a line of sweep.csv its number within the cell, from 1; else 0
     std::string axis = {};  ///< of a study: what grows; "" where nothing does

@@ -7,8 +7,7 @@
 namespace ink::harness {
 namespace {
 
-template <class Lines>
-void add_cracks(const Lines& lines) {
+void add_cracks(const core::PartOf<LineScores>& lines) {
     const auto cracks = lines.part(&LineScores::cracks);
     using C = score::CrackScore;
     cracks.add_derived({"crack_precision",
@@ -29,8 +28,7 @@ void add_cracks(const Lines& lines) {
     all.add({"crack_truth", "", "true cracks"}, &score::CrackCount::n_truth);
 }
 
-template <class Lines>
-void add_offsets(const Lines& lines) {
+void add_offsets(const core::PartOf<LineScores>& lines) {
     const auto all = lines.part(&LineScores::offsets).part(&score::Offsets::all);
     using M = score::Moments;
     all.add_derived({"offset_px",
@@ -52,8 +50,7 @@ void add_offsets(const Lines& lines) {
     shift.add({"shift_y_px", "px", "the same, down"}, &score::Shift::y_px);
 }
 
-template <class Lines>
-void add_widths(const Lines& lines) {
+void add_widths(const core::PartOf<LineScores>& lines) {
     const auto all = lines.part(&LineScores::widths).part(&score::Widths::all);
     using M = score::Moments;
     all.add_derived({"width_along_px",

@@ -243,7 +243,7 @@ void add_truth(RowTable& table) {
     row.add({"contour_self_px", "px", "the same before their own object"}, &Row::contour_self_px);
 }
 
-RowTable make_table() {
+RowTable make_rows_table() {
     RowTable table("rows.csv",
                    "A line per cell: one method with its settings on one view, or on one "
                    "sequence or mesh of a study. It is complete in itself; the side tables add "
@@ -263,7 +263,7 @@ RowTable make_table() {
 }  // namespace
 
 const RowTable& rows_table() {
-    static const RowTable kTable = make_table();
+    static const RowTable kTable = make_rows_table();
     return kTable;
 }
 
