@@ -27,7 +27,6 @@ namespace ink::experiment {
 namespace {
 
 namespace fs = std::filesystem;
-using Texts = std::map<std::string, std::string>;
 
 /// What a gzip file holds (experiments/publish packs long tables so); nothing if there is none.
 ///
@@ -59,39 +58,14 @@ std::optional<std::string> read_table(const fs::path& path) {
     return read_gzip_file(packed += ".gz");
 }
 
-/// The tables that are read back, those of them that are there.
-std::map<std::string, core::CsvTable> split_tables(const Texts& texts, const std::string& where) {
-    std::map<std::string, core::CsvTable> tables;
-    for (const char* name : {"rows.csv",
-                             "tolerances.csv",
-                             "bins.csv",
-                             "cost.csv",
-                             "curves.csv",
-                             "sweep.csv",
-                             "stress.csv",
-                             "hardest.csv"})
-        if (texts.contains(name)) tables[name];
-    std::vector<std::string> names;
-    for (const auto& [name, csv] : tables)
-        names.push_back(name);
-    core::parallel_for(names.size(), core::hardware_threads(), [&](std::size_t i) {
-        const std::string file = (fs::path(where) / names[i]).string();
-        tables.at(names[i]) = core::split_csv(texts.at(names[i]), file);
-    });
-    return tables;
-}
-
 /// Worked out anew only where the run has no tables of it, or those of another version.
 summary::Comparison comparison_of(const RunData& run) {
     if (run.tables.rows.empty()) return {};
-    const auto summary = run.texts.find("summary.csv");
-    const auto differences = run.texts.find("differences.csv");
-    if (run.record.one_place && summary != run.texts.end() && differences != run.texts.end()) {
-        auto read =
-            summary::read_comparison(run.tables.rows,
-                                     run.record.answer,
-                                     core::split_csv(summary->second, "summary.csv"),
-                                     core::split_csv(differences->second, "differences.csv"));
+    const auto summary = run.csv.find("summary.csv");
+    const auto differences = run.csv.find("differences.csv");
+    if (run.record.one_place && summary != run.csv.end() && differences != run.csv.end()) {
+        auto read = summary::read_comparison(
+            run.tables.rows, run.record.answer, summary->second, differences->second);
         if (read) return *std::move(read);
     }
     RunTables kept;
@@ -102,9 +76,22 @@ summary::Comparison comparison_of(const RunData& run) {
 
 }  // namespace
 
-RunTables parse_tables(const Texts& texts, const std::string& where) {
+CsvTables split_tables(const std::map<std::string, std::string>& texts, const fs::path& where) {
+    CsvTables tables;
+    std::vector<std::string> names;
+    for (const auto& [name, text] : texts) {
+        tables[name];
+        names.push_back(name);
+    }
+    core::parallel_for(names.size(), core::hardware_threads(), [&](std::size_t i) {
+        const std::string& name = names[i];
+        tables.at(name) = core::split_csv(texts.at(name), (where / name).string());
+    });
+    return tables;
+}
+
+RunTables parse_tables(const CsvTables& tables) {
     RunTables run;
-    const std::map<std::string, core::CsvTable> tables = split_tables(texts, where);
     const auto table = [&](const char* name) {
         const auto found = tables.find(name);
         return found == tables.end() ? nullptr : &found->second;
@@ -165,7 +152,7 @@ RunData read_run(const fs::path& folder) {
     run.record = *record;
     const BlockStore store(folder);
     const std::vector<std::size_t> blocks = store.indices();
-    Texts texts;
+    std::map<std::string, std::string> texts;
     if (record->state == RunState::unfinished && !blocks.empty()) {
         // Its tables may be older than its blocks, or not there.
         for (FinishedTable& table : finished_tables(*record, store))
@@ -187,8 +174,8 @@ RunData read_run(const fs::path& folder) {
             if (auto text = read_table(folder / table.file)) texts[table.file] = *std::move(text);
         }
     }
-    run.tables = parse_tables(texts, folder.string());
-    run.texts = std::move(texts);
+    run.csv = split_tables(texts, folder);
+    run.tables = parse_tables(run.csv);
     run.comparison = comparison_of(run);
     return run;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/tables/csv_table.h"
 #include "experiment/run_record.h"
 #include "harness/rows/row.h"
 #include "statistics/ods.h"
@@ -13,6 +14,14 @@
 #include "summary/comparison.h"
 
 namespace ink::experiment {
+
+/// The tables of a run, by file name, headings included.
+using CsvTables = std::map<std::string, core::CsvTable>;
+
+/// Splits tables that are given as texts, those of the folder `where`. Throws core::Error (where =
+/// its file, and the line) for text that is no table.
+[[nodiscard]] CsvTables split_tables(const std::map<std::string, std::string>& texts,
+                                     const std::filesystem::path& where);
 
 /// What the tables of a run hold, read back. What a run has no table of is empty.
 struct RunTables {
@@ -23,17 +32,16 @@ struct RunTables {
     std::vector<studies::HardestLook> hardest;  ///< of a search for the hardest views
 };
 
-/// Reads tables from their texts, by file name, headings included. Throws core::Error (where =
-/// `where`, table and line) for text that no such table holds.
-[[nodiscard]] RunTables parse_tables(const std::map<std::string, std::string>& texts,
-                                     const std::string& where);
+/// Reads what tables hold. Throws core::Error (where = the table's file and the line) for what no
+/// such table holds.
+[[nodiscard]] RunTables parse_tables(const CsvTables& tables);
 
 /// A run folder, read back whole: all that a page or a figure needs, but its images.
 struct RunData {
     std::filesystem::path folder;
     RunRecord record;
-    std::map<std::string, std::string> texts;  ///< every table as CSV, by file name
-    RunTables tables;                          ///< the same, read
+    CsvTables csv;     ///< every table
+    RunTables tables;  ///< the same, read
     /// What the rows of the first size and number of threads say together, as summary.csv and
     /// differences.csv have it; empty of a run that compares nothing.
     summary::Comparison comparison;

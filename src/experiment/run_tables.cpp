@@ -61,7 +61,7 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     });
 
     if (blocks.size() < static_cast<std::size_t>(record.blocks)) drop_lines_without_cell(texts);
-    const RunTables data = parse_tables(texts, store.folder().string());
+    const RunTables data = parse_tables(split_tables(texts, store.folder()));
     const summary::CostFit fit =
         record.times ? summary::predict_costs(data.rows, data.sweep) : summary::CostFit{};
     std::vector<FinishedTable> tables;

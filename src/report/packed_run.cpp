@@ -15,7 +15,6 @@
 #include "core/image.h"
 #include "core/parallel.h"
 #include "core/parse_number.h"
-#include "core/tables/csv_table.h"
 #include "draw/error_image.h"
 #include "harness/images/view_images.h"
 #include "image_io/image_file.h"
@@ -206,8 +205,7 @@ std::string packed_column(const std::vector<std::string>& fields) {
     return is_text ? text_column(fields) : json_array(values);
 }
 
-std::string packed_table(std::string_view csv, const std::string& where) {
-    const core::CsvTable table = core::split_csv(csv, where);
+std::string packed_table(const core::CsvTable& table) {
     std::vector<std::string> columns;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::vector<std::string> fields;

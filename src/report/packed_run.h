@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/tables/csv_table.h"
 #include "experiment/run_data.h"
 
 namespace ink::report {
@@ -21,9 +22,8 @@ namespace ink::report {
 /// 15 digits, which JavaScript would round.
 [[nodiscard]] std::string packed_column(const std::vector<std::string>& fields);
 
-/// A CSV table (RFC 4180, heading first) as JSON: {"lines": count, "columns": {name: packed}}.
-/// Throws core::Error (where = `where` and the line) for text that is no table.
-[[nodiscard]] std::string packed_table(std::string_view csv, const std::string& where);
+/// A CSV table as JSON: {"lines": count, "columns": {name: packed}}.
+[[nodiscard]] std::string packed_table(const core::CsvTable& table);
 
 /// The images of each run as JSON, as page/images.js reads them: an array with an object per run,
 /// from "scene\nview" to {"width", "height", "truth": PNG, "methods": {name: PNG}}; PNGs are

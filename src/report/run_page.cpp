@@ -132,26 +132,27 @@ std::string live_json(const experiment::RunData& run, const fs::path& page_folde
 
 /// summary.csv and differences.csv of a run of several sizes or numbers of threads, which has none:
 /// those of the first.
-std::map<std::string, std::string> missing_summaries(const experiment::RunData& run) {
-    if (run.comparison.summaries.empty() || run.texts.contains("summary.csv")) return {};
-    return {{"summary.csv", summary::summary_csv(rows_shown(run), run.comparison)},
-            {"differences.csv", summary::differences_csv(run.comparison.differences)}};
+experiment::CsvTables missing_summaries(const experiment::RunData& run) {
+    if (run.comparison.summaries.empty() || run.csv.contains("summary.csv")) return {};
+    return experiment::split_tables(
+        {{"summary.csv", summary::summary_csv(rows_shown(run), run.comparison)},
+         {"differences.csv", summary::differences_csv(run.comparison.differences)}},
+        run.folder);
 }
 
 std::string run_json(const experiment::RunData& run,
                      const std::string& label,
                      const fs::path& page_folder) {
-    std::vector<std::pair<std::string, const std::string*>> texts;
-    for (const auto& [name, text] : run.texts)
-        texts.emplace_back(name, &text);
-    const std::map<std::string, std::string> summed = missing_summaries(run);
-    for (const auto& [name, text] : summed)
-        texts.emplace_back(name, &text);
-    std::vector<std::string> tables(texts.size());
+    std::vector<std::pair<std::string, const core::CsvTable*>> given;
+    for (const auto& [name, table] : run.csv)
+        given.emplace_back(name, &table);
+    const experiment::CsvTables summed = missing_summaries(run);
+    for (const auto& [name, table] : summed)
+        given.emplace_back(name, &table);
+    std::vector<std::string> tables(given.size());
     core::parallel_for(tables.size(), core::hardware_threads(), [&](std::size_t i) {
-        const auto& [name, text] = texts[i];
-        const std::string where = (run.folder / name).string();
-        tables[i] = json_text(name) + ":" + packed_table(*text, where);
+        const auto& [name, table] = given[i];
+        tables[i] = json_text(name) + ":" + packed_table(*table);
     });
     return fmt::format(R"({{"label":{},"record":{},"words":{},"live":{},"tables":{{{}}}}})",
                        json_text(label),
@@ -165,7 +166,7 @@ std::string run_json(const experiment::RunData& run,
 std::string column_docs(const std::vector<experiment::RunData>& runs) {
     std::set<std::string> files;
     for (const experiment::RunData& run : runs)
-        for (const auto& [name, text] : run.texts)
+        for (const auto& [name, table] : run.csv)
             files.insert(name);
     std::vector<std::string> tables;
     for (const core::TableInfo& table : experiment::dictionary()) {

@@ -191,7 +191,7 @@ bool wrote_tables_of_scenes(const FiguresArgs& args, const std::vector<std::stri
     for (const std::string& folder : folders) {
         experiment::RunData run = experiment::read_run(folder);
         std::vector<harness::Row>& rows = run.tables.rows;
-        if (!run.texts.contains("summary.csv")) continue;
+        if (!run.csv.contains("summary.csv")) continue;
         NameList known;
         for (const harness::Row& row : rows)
             known.add_implied(row.scene);
