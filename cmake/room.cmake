@@ -1,6 +1,6 @@
 # ink_room(NAME [COLD] [HOT] SOURCES ... [ALONE ...] LINKS ... PRIVATE_LINKS ...): a room is a folder, a static library and an alias ink::NAME.
 # Includes are by path from src/ ("raster/pass/pass.h") or from the root ("method/method.h").
-# The sources of HOT rooms, and those ALONE, are compiled one by one, others in units.
+# The sources of HOT rooms, whose times are measured, and those ALONE are compiled one by one, others in units.
 function(ink_room name)
     cmake_parse_arguments(ROOM "COLD;HOT" "" "SOURCES;ALONE;LINKS;PRIVATE_LINKS" ${ARGN})
     add_library(ink_${name} STATIC ${ROOM_SOURCES} ${ROOM_ALONE})
@@ -12,7 +12,9 @@ function(ink_room name)
     else()
         ink_use_precompiled(ink_${name} room)
     endif()
-    if(NOT ROOM_HOT)
+    if(ROOM_COLD)
+        ink_use_units(ink_${name} 20)
+    elseif(NOT ROOM_HOT)
         ink_use_units(ink_${name} 10)
     endif()
     set_source_files_properties(${ROOM_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

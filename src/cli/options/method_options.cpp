@@ -11,7 +11,7 @@
 namespace ink::cli {
 namespace {
 
-std::string joined(const std::vector<std::string>& names) {
+std::string comma_joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, ","));
 }
 
@@ -41,7 +41,7 @@ std::vector<std::string> method_words() {
 }
 
 std::string method_list(const std::vector<std::string>& texts) {
-    return joined(listed_names(texts, {"--methods", "method", method_words()}));
+    return comma_joined(listed_names(texts, {"--methods", "method", method_words()}));
 }
 
 std::string one_method(const std::vector<std::string>& texts,
@@ -51,7 +51,7 @@ std::string one_method(const std::vector<std::string>& texts,
     const auto names = listed_names(texts, {option, "method", method_words()});
     if (names.size() == 1) return names.front();
     throw core::Error(option,
-                      fmt::format("'{}' is not one method", joined(names)),
+                      fmt::format("'{}' is not one method", comma_joined(names)),
                       "one name of inkbench list methods");
 }
 

@@ -15,14 +15,14 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kMostDepth = 64;
-constexpr std::size_t kMostShownChars = 40;
+constexpr std::size_t kMostValueChars = 40;
 
 /// A value as a message shows it.
 std::string shown(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array()) return "a list of " + std::to_string(value.size());
     const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() <= kMostShownChars ? text : text.substr(0, kMostShownChars) + "...";
+    return text.size() <= kMostValueChars ? text : text.substr(0, kMostValueChars) + "...";
 }
 
 std::string up_to(std::uint64_t most) {
