@@ -116,32 +116,6 @@ std::array<CurveCount, 99> score_curve_lists(const edge::EdgeImage& prediction,
     return curve;
 }
 
-std::vector<CurveCount> tolerance_sweep_of_strokes(const Strokes& strokes,
-                                                   const ScoringTruth& truth,
-                                                   const ScoreOptions& options,
-                                                   std::span<const double> tolerances_px) {
-    std::vector<CurveCount> tolerance_sweep;
-    ScoreOptions at = options;
-    for (const double tolerance_px : tolerances_px) {
-        at.tolerance_px = tolerance_px;
-        const TruthLists lists = checked_lists(strokes.drawn, truth, at);
-        tolerance_sweep.push_back(match_counts(counted_pixels(strokes.thinned, lists), lists));
-    }
-    return tolerance_sweep;
-}
-
-std::vector<CurveCount> score_tolerance_sweep(const edge::EdgeImage& prediction,
-                                              const ScoringTruth& truth,
-                                              const ScoreOptions& options,
-                                              std::span<const double> tolerances_px) {
-    if (tolerances_px.empty()) return {};
-    ScoreOptions first = options;
-    first.tolerance_px = tolerances_px.front();
-    check(first);
-    return tolerance_sweep_of_strokes(
-        make_strokes(prediction, options.threshold, options), truth, options, tolerances_px);
-}
-
 double average_precision(const std::array<CurveCount, 99>& curve) {
     const auto n_truth = static_cast<double>(curve[0].n_truth);
     if (n_truth == 0) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "edge/bit_mask.h"
@@ -76,13 +75,6 @@ struct TruthLists {
 [[nodiscard]] Score score_lists(const Strokes& strokes,
                                 const PixelList& drawn,
                                 const TruthLists& lists);
-
-/// The same of score_tolerance_sweep().
-[[nodiscard]] std::vector<CurveCount> tolerance_sweep_of_strokes(
-    const Strokes& strokes,
-    const ScoringTruth& truth,
-    const ScoreOptions& options,
-    std::span<const double> tolerances_px);
 
 /// The same of score_curve(), with the truth as lists. Reads `thin` of the options.
 [[nodiscard]] std::array<CurveCount, 99> score_curve_lists(const edge::EdgeImage& prediction,

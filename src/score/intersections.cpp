@@ -1,25 +1,10 @@
 #include "score/intersections.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cassert>
 #include <iterator>
 
-#include "core/error.h"
-
 namespace ink::score {
-
-Intersections parse_intersections(const std::string& text, const std::string& where) {
-    const auto at = std::find(kIntersectionNames.begin(), kIntersectionNames.end(), text);
-    if (at == kIntersectionNames.end()) {
-        throw core::Error(where,
-                          fmt::format("there is no choice '{}' of intersections", text),
-                          fmt::format("{}", fmt::join(kIntersectionNames, " | ")));
-    }
-    return static_cast<Intersections>(at - kIntersectionNames.begin());
-}
 
 core::Image<std::uint8_t> counted_labels(const core::Image<std::uint8_t>& labels,
                                          const core::Image<std::uint8_t>& below_crease,

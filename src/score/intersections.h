@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,9 +27,6 @@ inline constexpr std::array<std::string_view, 2> kIntersectionNames = {"above_cr
 [[nodiscard]] constexpr std::string_view name(Intersections intersections) {
     return kIntersectionNames[static_cast<std::size_t>(intersections)];
 }
-
-/// The choice that a text spells. Throws core::Error (where = `where`) that lists them for another.
-[[nodiscard]] Intersections parse_intersections(const std::string& text, const std::string& where);
 
 /// A truth image as it counts: where `below_crease` (of its size) is not 0, `labels` becomes
 /// `ignore`, unless all intersections count.

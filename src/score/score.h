@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/image.h"
@@ -112,17 +111,6 @@ struct ScoringTruth {
 [[nodiscard]] std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                                      const ScoringTruth& truth,
                                                      const ScoreOptions& options);
-
-/// (k, n_pred, n_truth) at each of `tolerances_px`, in their order: the prediction is thresholded
-/// and thinned once, so this costs less than as many scores. `options.tolerance_px` is not read.
-///
-/// Without ignored pixels n_pred is the same at every tolerance and k never falls as it grows; with
-/// them n_pred may differ, since drawn pixels in reach of an ignored one alone do not count.
-/// Throws core::Error as score() does.
-[[nodiscard]] std::vector<CurveCount> score_tolerance_sweep(const edge::EdgeImage& prediction,
-                                                            const ScoringTruth& truth,
-                                                            const ScoreOptions& options,
-                                                            std::span<const double> tolerances_px);
 
 /// Area under the precision envelope from recall 0 (all points with n_pred > 0).
 /// Without any truth: 1 if no threshold fires anywhere, else 0.

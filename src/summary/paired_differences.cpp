@@ -117,9 +117,8 @@ PairedDifference turned_round(const PairedDifference& paired) {
 /// Methods with a score, without baselines.
 std::vector<std::string> methods_best_first(std::vector<MethodSummary> summaries) {
     std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
-    std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
-        return *a.f_2px > *b.f_2px;
-    });
+    std::ranges::stable_sort(summaries,
+                             [](const auto& a, const auto& b) { return *a.f_2px > *b.f_2px; });
     std::vector<std::string> names;
     for (const MethodSummary& summary : summaries)
         names.push_back(summary.method);

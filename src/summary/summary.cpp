@@ -31,7 +31,7 @@ std::optional<double> pooled(const Rows& rows, CountsOf counts_of) {
 
 Rows of_split(const Rows& rows, std::string_view split) {
     Rows kept;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const harness::Row* row) {
+    std::ranges::copy_if(rows, std::back_inserter(kept), [&](const harness::Row* row) {
         return row->split == split;
     });
     return kept;
@@ -55,7 +55,7 @@ std::optional<double> macro_f(const std::vector<Counts>& scenes) {
 /// Over the rows that were scored at 1 px, too.
 std::optional<double> f_1px(const Rows& rows) {
     Rows kept;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [](const harness::Row* row) {
+    std::ranges::copy_if(rows, std::back_inserter(kept), [](const harness::Row* row) {
         return row->k_1px && row->n_pred_1px;
     });
     return pooled(kept, [](const harness::Row& row) {
@@ -130,7 +130,7 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
         summary.image_hashes += row->image_hash + ' ';
     }
     const auto has_image = [](const harness::Row* row) { return !row->image_hash.empty(); };
-    if (!std::all_of(rows.begin(), rows.end(), has_image)) summary.image_hashes.clear();
+    if (!std::ranges::all_of(rows, has_image)) summary.image_hashes.clear();
     const SceneSums scenes = sums_by_scene(rows);
     summary.scenes = static_cast<int>(scenes.names.size());
     summary.f_2px = pooled(rows, counts_2px);
@@ -150,8 +150,8 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
 }
 
 void summarise_costs(const Rows& rows, MethodSummary& summary) {
-    summary.has_own_clock = std::any_of(
-        rows.begin(), rows.end(), [](const harness::Row* row) { return row->has_own_clock(); });
+    summary.has_own_clock =
+        std::ranges::any_of(rows, [](const harness::Row* row) { return row->has_own_clock(); });
     const auto ms_of = [&](std::optional<std::int64_t> harness::Row::*time_ns) {
         std::vector<double> ms;
         for (const harness::Row* row : rows)
@@ -190,7 +190,7 @@ std::map<std::string, Counts> class_counts(const harness::Row& row) {
 }
 
 void SceneSums::add(const std::string& scene, const Counts& more) {
-    const auto known = std::find(names.begin(), names.end(), scene) - names.begin();
+    const auto known = std::ranges::find(names, scene) - names.begin();
     if (known == std::ssize(names)) {
         names.push_back(scene);
         counts.emplace_back();
@@ -208,10 +208,10 @@ Rows scored_rows(const std::vector<harness::Row>& rows, const std::string& metho
 
 void add_curves(const std::vector<statistics::CellCurve>& curves,
                 std::vector<MethodSummary>& summaries) {
-    for (statistics::CurveSummary& curve : statistics::summarise_curves(curves)) {
-        for (MethodSummary& summary : summaries) {
-            if (summary.method == curve.ods.method) summary.curve = curve;
-        }
+    const std::map<std::string, double> areas = statistics::pooled_ap(curves);
+    for (MethodSummary& summary : summaries) {
+        const auto area = areas.find(summary.method);
+        if (area != areas.end()) summary.ap = area->second;
     }
 }
 
@@ -223,9 +223,7 @@ bool is_error_in_one_scene(const MethodSummary& summary) {
 std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
     std::vector<MethodSummary> summaries;
     for (const harness::Row& row : rows) {
-        const auto known = std::find_if(summaries.begin(), summaries.end(), [&](const auto& s) {
-            return s.method == row.method;
-        });
+        const auto known = std::ranges::find(summaries, row.method, &MethodSummary::method);
         if (known != summaries.end()) continue;
         MethodSummary summary;
         summary.method = row.method;
@@ -235,9 +233,7 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
     core::parallel_for(summaries.size(), core::hardware_threads(), [&](std::size_t i) {
         MethodSummary& summary = summaries[i];
         const Rows good = scored_rows(rows, summary.method);
-        const auto all = std::count_if(rows.begin(), rows.end(), [&](const harness::Row& row) {
-            return row.method == summary.method;
-        });
+        const auto all = std::ranges::count(rows, summary.method, &harness::Row::method);
         summary.views = static_cast<int>(good.size());
         summary.failed = static_cast<int>(all) - summary.views;
         summarise_scores(good, summary);

@@ -38,11 +38,10 @@ struct MethodSummary {
     std::optional<double> f_train;            ///< pooled over the views of training scenes
     std::optional<double> f_heldout;          ///< pooled over those of held-out scenes
     std::optional<double> f_real;             ///< pooled over those of model files
-    std::optional<double> f_macro;   ///< mean over scenes of F pooled over each one's views
-    std::optional<double> f_kinds;   ///< mean of `kinds`' F; nothing for fewer than two
-    std::vector<KindSummary> kinds;  ///< in order of first appearance
-    std::optional<statistics::CurveSummary>
-        curve;                        ///< over thresholds, all its views; see add_curves
+    std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
+    std::optional<double> f_kinds;    ///< mean of `kinds`' F; nothing for fewer than two
+    std::vector<KindSummary> kinds;   ///< in order of first appearance
+    std::optional<double> ap;         ///< of its views' curves; see add_curves
     std::optional<double> f_1px;      ///< pooled
     std::optional<double> precision;  ///< pooled, 2 px
     std::optional<double> recall;

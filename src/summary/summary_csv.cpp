@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <utility>
 
 #include "core/tables/table_of.h"
 #include "core/vocabulary.h"
@@ -93,9 +92,8 @@ void add_f(const core::PartOf<const MethodSummary>& summary) {
     summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
     summary.add_derived({"precision", "0..1", "pooled, within 2 px"}, &S::precision);
     summary.add_derived({"recall", "0..1", "pooled, within 2 px"}, &S::recall);
-    summary.add_derived(
-        {"ap", "0..1", "area under the precision envelope of the pooled curves"},
-        [](const S& s) { return s.curve ? std::optional(s.curve->ap) : std::nullopt; });
+    summary.add_derived({"ap", "0..1", "area under the precision envelope of the pooled curves"},
+                        &S::ap);
 }
 
 SummaryTable make_table() {
@@ -272,10 +270,9 @@ bool is_all_unscored(const std::vector<harness::Row>& rows) {
     const auto is_of_method = [](const harness::Row& row) {
         return !harness::is_baseline(row.method);
     };
-    return std::any_of(rows.begin(), rows.end(), is_of_method) &&
-           std::none_of(rows.begin(), rows.end(), [&](const harness::Row& row) {
-               return is_of_method(row) && row.is_ok();
-           });
+    return std::ranges::any_of(rows, is_of_method) &&
+           std::ranges::none_of(
+               rows, [&](const harness::Row& row) { return is_of_method(row) && row.is_ok(); });
 }
 
 const core::TableInfo& unscored_table() {

@@ -119,9 +119,8 @@ class Tuner {
 };
 
 const TuneStep& best_of(const std::vector<TuneStep>& steps) {
-    return *std::min_element(steps.begin(), steps.end(), [](const auto& a, const auto& b) {
-        return a.found.value < b.found.value;
-    });
+    return *std::ranges::min_element(
+        steps, [](const auto& a, const auto& b) { return a.found.value < b.found.value; });
 }
 
 /// All that a result of the search depends on.
@@ -170,9 +169,8 @@ core::ParamValues parameters_of(const method::MethodConfig& config, const TuneSp
 void set_best_threshold(const method::MethodConfig& config,
                         TuneBench& bench,
                         TunedSettings& found) {
-    const statistics::CellCurve curve{found.name, true, bench.curve(with(config, found.settings))};
     found.settings["threshold"] =
-        std::to_string(statistics::ods_on_training({curve}).front().threshold);
+        std::to_string(statistics::best_threshold(bench.curve(with(config, found.settings))));
 }
 
 void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
@@ -255,9 +253,8 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
     }
     for (TunedSettings* each : all)
         each->train = bench.counts(with(options.config, each->settings));
-    const bool has_planes = std::any_of(result.steps.begin(), result.steps.end(), [](auto& step) {
-        return step.found.is_by_planes;
-    });
+    const bool has_planes =
+        std::ranges::any_of(result.steps, [](auto& step) { return step.found.is_by_planes; });
     if (has_planes) result.agreement = bench.agreement(with(options.config, result.tuned.settings));
     if (!heldout.empty()) {
         TuneBench unseen(heldout, options.trace, options.threads);

@@ -1,9 +1,6 @@
 #include "score/intersections.h"
 
-#include <gmock/gmock.h>
-
-#include "core/error.h"
-#include "tests/core/error_text.h"
+#include <gtest/gtest.h>
 
 namespace ink::score {
 namespace {
@@ -34,13 +31,6 @@ TEST(Intersections, CountedCurvesAreThoseOfTheChoice) {
     EXPECT_EQ(counted_curves(curves, 0.7, Intersections::above_crease).size(), 2U);
     EXPECT_EQ(counted_curves(curves, 0.7, Intersections::all).size(), 3U);
     EXPECT_EQ(counted_curves(curves, 0, Intersections::above_crease).size(), 3U);
-}
-
-TEST(Intersections, ChoicesAreReadAndOthersRefused) {
-    EXPECT_EQ(parse_intersections("all", ""), Intersections::all);
-    EXPECT_EQ(parse_intersections("above_crease", ""), Intersections::above_crease);
-    EXPECT_THAT(core::error_text([] { return parse_intersections("none", "--intersections"); }),
-                testing::HasSubstr("above_crease | all"));
 }
 
 }  // namespace

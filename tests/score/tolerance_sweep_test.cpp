@@ -7,38 +7,33 @@
 
 namespace {
 
-using ink::score::CurveCount;
 using ink::score::prepare_truth;
-using ink::score::score_tolerance_sweep;
+using ink::score::Score;
 using ink::score::ScoreOptions;
 
 constexpr std::array<double, 5> kTolerances_px = {1, 1.5, 2, 3, 4};
 
-TEST(Ladder, EqualsAScoreAtEachTolerance) {
-    std::mt19937 random(5);
-    const Image drawn = random_image(60, 50, 0.2, 255, random);
-    const Image labels = random_image(60, 50, 0.1, 7, random);
-    const ScoreOptions options{.threshold = 90, .band_px = 3, .ignore_label = 7};
-    const auto truth = prepare_truth(labels, options, false);
-    const auto tolerance_sweep = score_tolerance_sweep(drawn, truth, options, kTolerances_px);
-    ASSERT_EQ(tolerance_sweep.size(), kTolerances_px.size());
-    for (std::size_t i = 0; i < tolerance_sweep.size(); ++i) {
-        ScoreOptions at = options;
-        at.tolerance_px = kTolerances_px[i];
-        const auto s = ink::score::score(drawn, truth, at);
-        EXPECT_EQ(tolerance_sweep[i], (CurveCount{s.k, s.n_pred, s.n_truth})) << kTolerances_px[i];
+/// The score at each of kTolerances_px.
+std::vector<Score> scores_of(const Image& drawn, const Image& labels, ScoreOptions options) {
+    std::vector<Score> scores;
+    for (const double tolerance_px : kTolerances_px) {
+        options.tolerance_px = tolerance_px;
+        scores.push_back(ink::score::score(drawn, prepare_truth(labels, {}, false), options));
     }
+    return scores;
 }
 
 TEST(Ladder, FindsALineThatIsOffAsSoonAsItIsInReach) {
     // Five true pixels in a row, five drawn three rows below.
     const Image labels = image_of({".....", "11111", ".....", ".....", ".....", "....."});
     const Image drawn = image_of({".....", ".....", ".....", ".....", "#####", "....."});
-    const auto tolerance_sweep = score_tolerance_sweep(
-        drawn, prepare_truth(labels, {}, false), {.thin = false}, kTolerances_px);
+    const std::vector<Score> scores = scores_of(drawn, labels, {.thin = false});
     const std::array<std::int64_t, 5> k = {0, 0, 0, 5, 5};
-    for (std::size_t i = 0; i < k.size(); ++i)
-        EXPECT_EQ(tolerance_sweep[i], (CurveCount{k[i], 5, 5}));
+    for (std::size_t i = 0; i < k.size(); ++i) {
+        EXPECT_EQ(scores[i].k, k[i]);
+        EXPECT_EQ(scores[i].n_pred, 5);
+        EXPECT_EQ(scores[i].n_truth, 5);
+    }
 }
 
 TEST(Ladder, NeverFallsAsTheToleranceGrows) {
@@ -46,19 +41,13 @@ TEST(Ladder, NeverFallsAsTheToleranceGrows) {
     for (int i = 0; i < 20; ++i) {
         const Image drawn = random_image(40, 30, 0.1, 255, random);
         const Image labels = random_image(40, 30, 0.08, 5, random);
-        const auto tolerance_sweep = score_tolerance_sweep(
-            drawn, prepare_truth(labels, {}, false), {.threshold = 100}, kTolerances_px);
-        for (std::size_t t = 1; t < tolerance_sweep.size(); ++t) {
-            EXPECT_GE(tolerance_sweep[t].k, tolerance_sweep[t - 1].k);
-            EXPECT_EQ(tolerance_sweep[t].n_pred, tolerance_sweep[0].n_pred);
+        const std::vector<Score> scores = scores_of(drawn, labels, {.threshold = 100});
+        for (std::size_t t = 1; t < scores.size(); ++t) {
+            EXPECT_GE(scores[t].k, scores[t - 1].k);
+            EXPECT_EQ(scores[t].n_pred, scores[0].n_pred);
         }
-        EXPECT_GT(tolerance_sweep.back().k, tolerance_sweep.front().k);
+        EXPECT_GT(scores.back().k, scores.front().k);
     }
-}
-
-TEST(Ladder, WithoutTolerancesIsEmpty) {
-    const Image nothing(8, 8);
-    EXPECT_TRUE(score_tolerance_sweep(nothing, prepare_truth(nothing, {}, false), {}, {}).empty());
 }
 
 }  // namespace

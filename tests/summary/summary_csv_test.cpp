@@ -143,7 +143,7 @@ TEST(SummaryCsv, AClassOfFewScenesHasNoInterval) {
 }
 
 TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
-    statistics::CellCurve curve{.method = "a", .is_training = true};
+    statistics::CellCurve curve{.method = "a"};
     curve.counts.fill({50, 50, 100});  // precision 1 up to recall 0.5, nothing beyond
     const std::string csv =
         csv_of({scored_row("oracle", "cube", 100), scored_row("a", "cube", 50)}, {curve});

@@ -113,12 +113,11 @@ TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
 
 TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {
     auto summaries = summarise({counted_row("b", "front", 1, 9), counted_row("a", "front", 1, 9)});
-    statistics::CellCurve curve{"a", false, {}};
+    statistics::CellCurve curve{"a", {}};
     curve.counts.fill({5, 10, 10});
     add_curves({curve}, summaries);
-    EXPECT_FALSE(summaries[0].curve);
-    ASSERT_TRUE(summaries[1].curve);
-    EXPECT_DOUBLE_EQ(summaries[1].curve->ois, 0.5);
+    EXPECT_FALSE(summaries[0].ap);
+    EXPECT_EQ(summaries[1].ap, 0.25);  // precision .5 up to recall .5
 }
 
 TEST(Summarise, NamesTheSceneWithMostOfTheError) {

@@ -84,7 +84,7 @@ std::vector<CurveRecord> read_curves(const core::CsvTable& csv, const RowIndex& 
                 fmt::format("{}: 1 to 99 in a row for every cell", at + 1));
         if (at == 0) {
             const Row& row = rows.find(core::CsvField(csv, i, 0)).row;
-            records.push_back({read[i].cell, {row.method, row.split == "train", {}}});
+            records.push_back({read[i].cell, {row.method, {}}});
         }
         if (read[i].cell != records.back().cell)
             core::CsvField(csv, i, 0).refuse(fmt::format("cell {}, up to 99", records.back().cell));

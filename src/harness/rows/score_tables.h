@@ -29,7 +29,7 @@ struct CountsAt {
 /// The curve of a cell.
 struct CurveRecord {
     std::int64_t cell = 0;
-    statistics::CellCurve curve;  ///< with the method and the split of its row
+    statistics::CellCurve curve;  ///< with the method of its row
 };
 
 /// The curves of curves.csv, in order. Throws core::Error (file, line, column, value) for another
