@@ -71,36 +71,6 @@ void time_full_laplacian(benchmark::State& state) {
     label(state, out);
 }
 
-/// Both directions, the sum of their absolute values over eight.
-void time_sobel(benchmark::State& state) {
-    cv::setNumThreads(1);
-    Padded<float> values = codes<float>(1);
-    const cv::Mat from = mat_of(values);
-    cv::Mat across;
-    cv::Mat down;
-    cv::Mat out;
-    for (auto _ : state) {
-        cv::Sobel(from, across, CV_32F, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
-        cv::Sobel(from, down, CV_32F, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
-        out = (cv::abs(across) + cv::abs(down)) / 8;
-        benchmark::ClobberMemory();
-    }
-    cv::convertScaleAbs(out, out);
-    label(state, out);
-}
-
-void time_threshold(benchmark::State& state) {
-    cv::setNumThreads(1);
-    Padded<std::uint8_t> edge_responses = codes<std::uint8_t>(1);
-    const cv::Mat from = mat_of(edge_responses);
-    cv::Mat out;
-    for (auto _ : state) {
-        cv::threshold(from, out, 127, 1, cv::THRESH_BINARY);
-        benchmark::ClobberMemory();
-    }
-    label(state, out);
-}
-
 }  // namespace
 
 void add_opencv_benchmarks() {
@@ -108,8 +78,6 @@ void add_opencv_benchmarks() {
     add("opencv/laplacian/u8/1080p", time_laplacian<std::uint8_t>);
     add("opencv/laplacian/u16/1080p", time_laplacian<std::uint16_t>);
     add("opencv/laplacian/f32x4/1080p", time_full_laplacian);
-    add("opencv/sobel/f32/1080p", time_sobel);
-    add("opencv/threshold/u8/1080p", time_threshold);
 }
 
 }  // namespace ink::bench

@@ -127,39 +127,6 @@ void time_score(benchmark::State& state) {
     describe(state, result);
 }
 
-/// The same with the truth made ready each time.
-void time_prepare_and_score(benchmark::State& state) {
-    const score::ScoreOptions options = options_of_compare();
-    const Drawing drawing = make_drawing(options);
-    score::Score result;
-    for (auto _ : state) {
-        const score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
-        result = score::score(drawing.edge_response, truth, options);
-    }
-    describe(state, result);
-}
-
-/// The drawing with its edge responses spread over all thresholds: equal masks are matched once.
-void grade(Drawing& drawing) {
-    std::mt19937 random(99);
-    for (std::size_t i = 0; i < drawing.edge_response.size(); ++i) {
-        std::uint8_t& edge_response = drawing.edge_response.data()[i];
-        if (edge_response != 0) edge_response = static_cast<std::uint8_t>(3 + random() % 253);
-    }
-}
-
-/// All 99 thresholds of a curve, each with a mask of its own.
-void time_curve(benchmark::State& state) {
-    const score::ScoreOptions options = options_of_compare();
-    Drawing drawing = make_drawing(options);
-    grade(drawing);
-    const score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
-    double ap = 0;
-    for (auto _ : state)
-        ap = score::average_precision(score::score_curve(drawing.edge_response, truth, options));
-    state.SetLabel(core::Hasher().value(ap).hex());
-}
-
 /// Of every pixel's place.
 std::string hash_of(const score::PixelList& list) {
     core::Hasher hasher;
@@ -244,23 +211,6 @@ void time_place(benchmark::State& state) {
                        .hex());
 }
 
-/// What cracks and place need of a truth, once a view.
-void time_prepare_curves(benchmark::State& state) {
-    const Stage stage;
-    const auto& curves = stage.drawing.curves;
-    std::size_t n = 0;
-    for (auto _ : state) {
-        const auto cracks = score::prepare_cracks(
-            truth::draw_cracks(curves, kWidth_px, kHeight_px), stage.truth, stage.options);
-        const auto nearest = score::find_nearest_curves(curves, kWidth_px, kHeight_px);
-        const auto probes = score::place_probes(curves, stage.truth, stage.options);
-        const auto positives = score::prepare_positives(stage.truth, stage.options);
-        n = cracks.cracks.size() + nearest.offsets.size() + probes.size() +
-            positives.verdict.size();
-    }
-    state.SetLabel(core::Hasher().value(n).hex());
-}
-
 }  // namespace
 
 void add_score_benchmarks() {
@@ -268,15 +218,12 @@ void add_score_benchmarks() {
         benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
     };
     add("score/36k", time_score);
-    add("score/36k/prepare", time_prepare_and_score);
-    add("score/36k/curve", time_curve);
     add("score/36k/thin", time_thin);
     add("score/36k/band", time_band);
     add("score/36k/lists", time_lists);
     add("score/36k/matching", time_matching);
     add("score/36k/cracks", time_cracks);
     add("score/36k/place", time_place);
-    add("score/36k/prepare_curves", time_prepare_curves);
 }
 
 }  // namespace ink::bench
