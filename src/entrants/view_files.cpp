@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "buffers/each_tile.h"
 #include "buffers/id_pass.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
@@ -21,22 +22,6 @@ namespace {
 
 constexpr double kWeldEpsilon = 1e-4;  ///< of patches, as `ids` has it
 
-class IdImageSink : public raster::TileSink {
-  public:
-    explicit IdImageSink(core::Image<std::uint32_t>& image) : image_(image) {}
-
-    void finish(const raster::Tile& tile) override {
-        if (tile.is_empty) return;
-        for (int y = 0; y < tile.height_px; ++y) {
-            const auto* ids = tile.row<std::uint32_t>(0, y);
-            std::copy_n(ids, tile.width_px, image_.row(tile.y0_px + y) + tile.x0_px);
-        }
-    }
-
-  private:
-    core::Image<std::uint32_t>& image_;
-};
-
 core::Image<std::uint32_t> triangle_image(const scene::Scene& scene, const scene::View& view) {
     core::Image<std::uint32_t> image(view.width_px, view.height_px, buffers::kNoId);
     buffers::IdParams params;
@@ -45,7 +30,12 @@ core::Image<std::uint32_t> triangle_image(const scene::Scene& scene, const scene
     pass.prepare(scene);
     pass.pose(scene);
     if (pass.is_empty()) return image;
-    IdImageSink sink(image);
+    buffers::EachTile sink([&](const raster::Tile& tile) {
+        for (int y = 0; y < tile.height_px && !tile.is_empty; ++y) {
+            const auto* ids = tile.row<std::uint32_t>(0, y);
+            std::copy_n(ids, tile.width_px, image.row(tile.y0_px + y) + tile.x0_px);
+        }
+    });
     (void)pass.draw({view, core::hardware_threads()}, false, sink);
     return image;
 }

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <variant>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "draw/exr_layers.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
@@ -39,11 +39,7 @@ std::optional<T> find_attribute(const image_io::ExrFile& file, std::string_view 
 
 std::optional<int> find_number(const image_io::Texts& texts, const char* name) {
     const auto found = texts.find(name);
-    if (found == texts.end()) return std::nullopt;
-    int value = 0;
-    const char* end = found->second.data() + found->second.size();
-    const auto parsed = std::from_chars(found->second.data(), end, value);
-    return parsed.ptr == end && parsed.ec == std::errc{} ? std::optional(value) : std::nullopt;
+    return found == texts.end() ? std::nullopt : core::parse_number<int>(found->second);
 }
 
 TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersections intersections) {

@@ -35,21 +35,17 @@ std::string_view local_name(const pugi::xml_node& element) {
     return name.substr(name.find(':') + 1);  // npos + 1 is 0
 }
 
-// No recursion: a hostile tree is deep.
+pugi::xml_node next_below(const pugi::xml_node& top, pugi::xml_node at) {
+    if (at.first_child()) return at.first_child();
+    while (at && at != top && !at.next_sibling())
+        at = at.parent();
+    return at == top ? pugi::xml_node() : at.next_sibling();
+}
+
 std::vector<pugi::xml_node> elements(const pugi::xml_node& top, std::string_view name) {
     std::vector<pugi::xml_node> found;
-    pugi::xml_node at = top.first_child();
-    while (at) {
+    for (pugi::xml_node at = top.first_child(); at; at = next_below(top, at))
         if (at.name() == name) found.push_back(at);
-        if (at.first_child()) {
-            at = at.first_child();
-            continue;
-        }
-        while (at && at != top && !at.next_sibling())
-            at = at.parent();
-        if (at == top) break;
-        at = at.next_sibling();
-    }
     return found;
 }
 

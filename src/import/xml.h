@@ -14,6 +14,10 @@ void load_xml(std::string_view text, const std::string& part, pugi::xml_document
 /// An element's name without a prefix: "item" of "p:item".
 [[nodiscard]] std::string_view local_name(const pugi::xml_node& element);
 
+/// What comes behind `at` in a walk over all that is below `top`; none at the end. No recursion: a
+/// hostile tree is deep.
+[[nodiscard]] pugi::xml_node next_below(const pugi::xml_node& top, pugi::xml_node at);
+
 /// All elements below `top` of that name, in the file's order.
 [[nodiscard]] std::vector<pugi::xml_node> elements(const pugi::xml_node& top,
                                                    std::string_view name);

@@ -140,12 +140,8 @@ void hold_all(std::size_t count, int threads, Agreement& result, const Hold& hol
             hold(i, parts[chunk]);
     });
     for (const Agreement& part : parts) {
-        for (std::size_t c = 0; c < result.by_class.size(); ++c) {
-            result.by_class[c].truth_px += part.by_class[c].truth_px;
-            result.by_class[c].truth_covered_px += part.by_class[c].truth_covered_px;
-            result.by_class[c].crosscheck_px += part.by_class[c].crosscheck_px;
-            result.by_class[c].crosscheck_covered_px += part.by_class[c].crosscheck_covered_px;
-        }
+        for (std::size_t c = 0; c < result.by_class.size(); ++c)
+            result.by_class[c] += part.by_class[c];
         result.disagreements.insert(
             result.disagreements.end(), part.disagreements.begin(), part.disagreements.end());
     }
@@ -258,6 +254,17 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
     return glm::length(p - (a + t * ab));
 }
 
+ClassAgreement& ClassAgreement::operator+=(const ClassAgreement& other) {
+    truth_px += other.truth_px;
+    truth_covered_px += other.truth_covered_px;
+    crosscheck_px += other.crosscheck_px;
+    crosscheck_covered_px += other.crosscheck_covered_px;
+    truth_abstained_px += other.truth_abstained_px;
+    crosscheck_abstained_px += other.crosscheck_abstained_px;
+    coincident_px += other.coincident_px;
+    return *this;
+}
+
 double ClassAgreement::truth_share() const {
     const double length = truth_px - truth_abstained_px;
     return length > 0 ? truth_covered_px / length : 1;
@@ -278,23 +285,13 @@ bool ClassAgreement::is_agreed() const {
 }
 
 bool Agreement::is_agreed() const {
-    return total().is_agreed() &&
-           std::all_of(by_class.begin(), by_class.end(), [](const ClassAgreement& c) {
-               return c.is_agreed();
-           });
+    return total().is_agreed() && std::ranges::all_of(by_class, &ClassAgreement::is_agreed);
 }
 
 ClassAgreement Agreement::total() const {
     ClassAgreement sum;
-    for (const ClassAgreement& c : by_class) {
-        sum.truth_px += c.truth_px;
-        sum.truth_covered_px += c.truth_covered_px;
-        sum.crosscheck_px += c.crosscheck_px;
-        sum.crosscheck_covered_px += c.crosscheck_covered_px;
-        sum.truth_abstained_px += c.truth_abstained_px;
-        sum.crosscheck_abstained_px += c.crosscheck_abstained_px;
-        sum.coincident_px += c.coincident_px;
-    }
+    for (const ClassAgreement& c : by_class)
+        sum += c;
     return sum;
 }
 

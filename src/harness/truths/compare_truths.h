@@ -42,6 +42,7 @@ struct ClassAgreement {
     /// Of both abstained lengths: on a line of another class that both have (judge_disagreements).
     double coincident_px = 0;
 
+    ClassAgreement& operator+=(const ClassAgreement& other);
     /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px of the
     /// truth's and one crossing of the cross-check's: of a class of a few px that is more than the
     /// share. Abstentions do not count.

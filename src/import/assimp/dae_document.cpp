@@ -35,17 +35,9 @@ std::string named(const Element& element) {
 
 void DaeDocument::number_ids() {
     by_id_.clear();
-    Element at = root_;
-    while (at) {
+    for (Element at = root_; at; at = next_below(root_, at)) {
         const std::string id = at.attribute("id").value();
         if (!id.empty()) by_id_.emplace(id, at);
-        if (at.first_child()) {
-            at = at.first_child();
-            continue;
-        }
-        while (at && at != root_ && !at.next_sibling())
-            at = at.parent();
-        at = at == root_ ? Element() : at.next_sibling();
     }
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <string_view>
-#include <type_traits>
 
 namespace ink::import {
 namespace {
@@ -50,65 +49,39 @@ std::size_t width_of(const JsonObject& json) {
     json.fail("type is " + type, "SCALAR, VEC2, VEC3, VEC4 or MAT4");
 }
 
-/// Elements of `width` components of type T that begin every `stride` bytes.
-template <class T, class Out>
-void take(const std::byte* from, std::size_t stride, std::size_t width, std::vector<Out>& out) {
-    for (std::size_t i = 0; i < out.size(); i += width, from += stride)
-        for (std::size_t c = 0; c < width; ++c) {
-            T value{};
-            std::memcpy(&value, from + c * sizeof value, sizeof value);
-            out[i + c] = static_cast<Out>(value);
-        }
+/// Calls `use` with a number of the component's type.
+template <class Use>
+void with_number(GltfComponents type, const Use& use) {
+    switch (type) {
+        case kByte:
+            return use(std::int8_t{});
+        case kUnsignedByte:
+            return use(std::uint8_t{});
+        case kShort:
+            return use(std::int16_t{});
+        case kUnsignedShort:
+            return use(std::uint16_t{});
+        case kUnsignedInt:
+            return use(std::uint32_t{});
+        case kFloat:
+            return use(float{});
+    }
 }
 
+/// Elements of `width` components of a type that begin every `stride` bytes.
 template <class Out>
 void take(GltfComponents type,
           const std::byte* from,
           std::size_t stride,
           std::size_t width,
           std::vector<Out>& out) {
-    switch (type) {
-        case kByte:
-            return take<std::int8_t>(from, stride, width, out);
-        case kUnsignedByte:
-            return take<std::uint8_t>(from, stride, width, out);
-        case kShort:
-            return take<std::int16_t>(from, stride, width, out);
-        case kUnsignedShort:
-            return take<std::uint16_t>(from, stride, width, out);
-        case kUnsignedInt:
-            return take<std::uint32_t>(from, stride, width, out);
-        case kFloat:
-            // Only where numbers are asked for: check() has refused it for indices.
-            if constexpr (std::is_floating_point_v<Out>)
-                return take<float>(from, stride, width, out);
-    }
-}
-
-template <class T>
-void put(const std::vector<double>& values, std::byte* to) {
-    for (const double value : values) {
-        const T number = static_cast<T>(value);
-        std::memcpy(to, &number, sizeof number);
-        to += sizeof number;
-    }
-}
-
-void put(GltfComponents type, const std::vector<double>& values, std::byte* to) {
-    switch (type) {
-        case kByte:
-            return put<std::int8_t>(values, to);
-        case kUnsignedByte:
-            return put<std::uint8_t>(values, to);
-        case kShort:
-            return put<std::int16_t>(values, to);
-        case kUnsignedShort:
-            return put<std::uint16_t>(values, to);
-        case kUnsignedInt:
-            return put<std::uint32_t>(values, to);
-        case kFloat:
-            return put<float>(values, to);
-    }
+    with_number(type, [&](auto value) {
+        for (std::size_t i = 0; i < out.size(); i += width, from += stride)
+            for (std::size_t c = 0; c < width; ++c) {
+                std::memcpy(&value, from + c * sizeof value, sizeof value);
+                out[i + c] = static_cast<Out>(value);
+            }
+    });
 }
 
 }  // namespace
@@ -252,7 +225,14 @@ std::vector<std::byte> GltfAccessors::packed(std::size_t accessor,
                                              const std::vector<double>& components) const {
     const Component component = component_of(json(accessor));
     std::vector<std::byte> bytes(components.size() * component.bytes);
-    put(component.bit, components, bytes.data());
+    std::byte* to = bytes.data();
+    with_number(component.bit, [&](auto number) {
+        for (const double value : components) {
+            number = static_cast<decltype(number)>(value);
+            std::memcpy(to, &number, sizeof number);
+            to += sizeof number;
+        }
+    });
     return bytes;
 }
 
