@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "core/error.h"
 #include "tests/scene/small_meshes.h"
 
@@ -110,6 +112,25 @@ TEST(FillScores, CountsAddUpAndNullsStayNull) {
     EXPECT_EQ(empty.f_2px, 0.0);
     EXPECT_FALSE(empty.precision_2px.has_value());
     EXPECT_FALSE(empty.mean_width_px.has_value());
+}
+
+TEST(ScoreImage, SaysAtEachToleranceWhatAScoreSays) {
+    std::mt19937 random(5);
+    edge::EdgeImage image(60, 50);
+    core::Image<std::uint8_t> labels(60, 50);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        image.data()[i] = static_cast<std::uint8_t>(random() % 5 == 0 ? random() % 256 : 0);
+        labels.data()[i] = static_cast<std::uint8_t>(random() % 10 == 0 ? 1 + random() % 7 : 0);
+    }
+    score::ScoreOptions options = score_options(90);
+    const auto truth = score::prepare_truth(labels, options, false);
+    const Scored scored = score_image(image, list_tolerances(truth), 90);
+    ASSERT_EQ(scored.tolerance_sweep.size(), harness::kTolerances_px.size());
+    for (std::size_t i = 0; i < scored.tolerance_sweep.size(); ++i) {
+        options.tolerance_px = harness::kTolerances_px[i];
+        const score::Score s = score::score(image, truth, options);
+        EXPECT_EQ(scored.tolerance_sweep[i], (score::CurveCount{s.k, s.n_pred, s.n_truth}));
+    }
 }
 
 TEST(JoinParams, IsOrderedByName) {
