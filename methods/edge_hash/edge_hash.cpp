@@ -27,10 +27,7 @@ constexpr std::array<KindColor, 3> kKindColors = {{{buffers::EdgeKind::crease, {
                                                    {buffers::EdgeKind::boundary, {255, 0, 0}}}};
 
 std::size_t count_of(const std::vector<buffers::KnownEdge>& edges, buffers::EdgeKind kind) {
-    return static_cast<std::size_t>(
-        std::count_if(edges.begin(), edges.end(), [&](const buffers::KnownEdge& edge) {
-            return edge.kind == kind;
-        }));
+    return static_cast<std::size_t>(std::ranges::count(edges, kind, &buffers::KnownEdge::kind));
 }
 
 }  // namespace

@@ -54,10 +54,9 @@ void EdgeCache::reset(std::size_t models) {
 
 void EdgeCache::make_room(Model& model) {
     if (model.size() < most_frames_) return;
-    const auto oldest =
-        std::min_element(model.begin(), model.end(), [](const auto& a, const auto& b) {
-            return a.second.last_asked < b.second.last_asked;
-        });
+    const auto oldest = std::ranges::min_element(model, [](const auto& a, const auto& b) {
+        return a.second.last_asked < b.second.last_asked;
+    });
     model.erase(oldest);
     ++counts_.dropped;
 }

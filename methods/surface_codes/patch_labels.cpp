@@ -37,9 +37,8 @@ std::vector<std::uint32_t> patches_by_area(const SmoothMesh& mesh) {
         areas[mesh.patch_of[f]] += glm::length(mesh.topology.area_vector(f));
     std::vector<std::uint32_t> order(mesh.patch_count);
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return areas[a] > areas[b];
-    });
+    std::ranges::stable_sort(order,
+                             [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
     return order;
 }
 

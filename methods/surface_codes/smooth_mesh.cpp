@@ -29,7 +29,7 @@ class Cells {
         : size_(size) {
         for (const std::uint32_t vertex : vertices)
             filled_.emplace_back(cell(p_world[vertex]), vertex);
-        std::sort(filled_.begin(), filled_.end());
+        std::ranges::sort(filled_);
     }
 
     [[nodiscard]] Cell cell(const glm::dvec3& p) const {
@@ -47,8 +47,7 @@ class Cells {
         for (std::int64_t x = first[0]; x <= last[0]; ++x) {
             for (std::int64_t y = first[1]; y <= last[1]; ++y) {
                 // Cells of one row stand together.
-                auto at = std::lower_bound(
-                    filled_.begin(), filled_.end(), Filled{Cell{x, y, first[2]}, 0});
+                auto at = std::ranges::lower_bound(filled_, Filled{Cell{x, y, first[2]}, 0});
                 const Filled end{Cell{x, y, last[2]}, std::numeric_limits<std::uint32_t>::max()};
                 for (; at != filled_.end() && *at <= end; ++at)
                     found.push_back(at->second);
@@ -83,7 +82,7 @@ class Boundaries {
         }
         near_ = std::max(options.weld_epsilon * box.diagonal(), 4 * rounding_);
         mean_length_ = length / static_cast<double>(edges_.size());
-        std::sort(edges_at_.begin(), edges_at_.end());
+        std::ranges::sort(edges_at_);
     }
 
     void add_touching(std::vector<FacePair>& pairs) const {
@@ -103,7 +102,7 @@ class Boundaries {
                 const glm::dvec3 to = glm::mix(a, b, static_cast<double>(i + 1) / count);
                 cells.add_inside(glm::min(from, to) - near_, glm::max(from, to) + near_, found);
             }
-            std::sort(found.begin(), found.end());
+            std::ranges::sort(found);
             found.erase(std::unique(found.begin(), found.end()), found.end());
             for (const std::uint32_t vertex : found)
                 add_at(e, vertex, pairs);
@@ -128,8 +127,8 @@ class Boundaries {
         const double at = glm::dot(p(vertex) - a, along);
         if (at <= near_ || at >= length - near_) return;
         if (glm::length(p(vertex) - a - at * along) > near_) return;
-        for (auto run = std::lower_bound(
-                 edges_at_.begin(), edges_at_.end(), std::make_pair(vertex, std::uint32_t{0}));
+        for (auto run =
+                 std::ranges::lower_bound(edges_at_, std::make_pair(vertex, std::uint32_t{0}));
              run != edges_at_.end() && run->first == vertex;
              ++run) {
             const scene::Edge& other = topology_.edges[run->second];
@@ -235,7 +234,7 @@ std::vector<FacePair> pairs_of_many(const scene::Topology& topology,
 
 /// The number that is there most often, the lowest of those; kNone of none.
 std::uint32_t most_frequent(std::vector<std::uint32_t> numbers) {
-    std::sort(numbers.begin(), numbers.end());
+    std::ranges::sort(numbers);
     std::uint32_t best = SmoothMesh::kNone;
     std::ptrdiff_t most = 0;
     for (auto run = numbers.begin(); run != numbers.end();) {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
 #include <string>
 
 #include "methods/surface_codes/patch_labels.h"

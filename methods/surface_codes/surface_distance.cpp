@@ -115,9 +115,7 @@ std::vector<Slit> find_slits(const SmoothMesh& mesh, const SurfaceGraph& graph) 
         slits.push_back(a <= b ? Slit{pair.face0, pair.face1, a << 32 | b}
                                : Slit{pair.face1, pair.face0, b << 32 | a});
     }
-    std::stable_sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) {
-        return a.chains < b.chains;
-    });
+    std::ranges::stable_sort(slits, {}, &Slit::chains);
     return slits;
 }
 
@@ -128,8 +126,7 @@ bool is_parted(const Slit& slit, const std::vector<std::int32_t>& distances) {
 
 std::ptrdiff_t count_parted(const std::vector<Slit>& slits,
                             const std::vector<std::int32_t>& distances) {
-    return std::count_if(
-        slits.begin(), slits.end(), [&](const Slit& s) { return is_parted(s, distances); });
+    return std::ranges::count_if(slits, [&](const Slit& s) { return is_parted(s, distances); });
 }
 
 /// Which side of each slit is to be lifted: that whose chain leads over the other, all along; where
@@ -157,8 +154,7 @@ bool lift(const SurfaceGraph& graph,
           std::vector<std::int32_t>& distances) {
     std::vector<std::uint32_t> lifted;
     std::vector<std::int32_t> keys(distances.size());
-    std::transform(
-        distances.begin(), distances.end(), keys.begin(), [](std::int32_t d) { return -d; });
+    std::ranges::transform(distances, keys.begin(), [](std::int32_t d) { return -d; });
     for (Slit& slit : slits) {
         if (is_parted(slit, distances) || slit.lifts == kMostLifts) continue;
         ++slit.lifts;
@@ -166,11 +162,10 @@ bool lift(const SurfaceGraph& graph,
         keys[slit.up] = std::min(keys[slit.up], -(distances[slit.down] + 2 * kStep));
     }
     if (lifted.empty()) return false;
-    std::sort(lifted.begin(), lifted.end());
+    std::ranges::sort(lifted);
     lifted.erase(std::unique(lifted.begin(), lifted.end()), lifted.end());
     spread(graph, lifted, keys);
-    std::transform(
-        keys.begin(), keys.end(), distances.begin(), [](std::int32_t key) { return -key; });
+    std::ranges::transform(keys, distances.begin(), [](std::int32_t key) { return -key; });
     return true;
 }
 

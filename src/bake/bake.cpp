@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "bake/baked_primitives.h"
@@ -78,9 +77,8 @@ Work work_for(const std::optional<Mark>& before,
               const std::vector<BakedPrimitive>& primitives) {
     const bool is_stale = !before || before->version != after.version ||
                           before->mesh != after.mesh || before->pose != after.pose;
-    const bool has_codes = std::all_of(primitives.begin(), primitives.end(), [](auto& primitive) {
-        return primitive.source.has(kInk);
-    });
+    const bool has_codes =
+        std::ranges::all_of(primitives, [](auto& primitive) { return primitive.source.has(kInk); });
     Work work;
     work.codes = !after.codes.is_null() && (is_stale || before->codes != after.codes || !has_codes);
     // Edges stand in the order of triangles and corners, which codes change.
@@ -91,8 +89,8 @@ Work work_for(const std::optional<Mark>& before,
 /// Edges of another program are in an order that turned triangles have no more.
 void check_foreign_edges(const std::vector<BakedPrimitive>& primitives) {
     for (const BakedPrimitive& primitive : primitives) {
-        const bool is_turned = std::any_of(
-            primitive.turns.begin(), primitive.turns.end(), [](int turn) { return turn != 0; });
+        const bool is_turned =
+            std::ranges::any_of(primitive.turns, [](int turn) { return turn != 0; });
         if (!is_turned || !has_edges(primitive)) continue;
         throw core::Error(primitive.place(),
                           primitive.place() + ": codes would change the order of its edges (" +
@@ -202,8 +200,7 @@ std::string name(BakedMethod method) {
 
 bool is_gltf(const import::ImportedModel& model) {
     const auto& nodes = model.places.node_of_instance;
-    return std::none_of(
-        nodes.begin(), nodes.end(), [](std::uint32_t node) { return node == scene::kNoNode; });
+    return std::ranges::none_of(nodes, [](std::uint32_t node) { return node == scene::kNoNode; });
 }
 
 BakedFile bake(const fs::path& from,

@@ -20,10 +20,8 @@ class FileNormals {
 
     /// Of length 1; 0 for a triangle without area, or of no primitive.
     [[nodiscard]] glm::dvec3 of(std::size_t scene_triangle) {
-        const auto next = std::upper_bound(
-            primitives_.begin(), primitives_.end(), scene_triangle, [](std::size_t t, auto& one) {
-                return t < one.first_triangle;
-            });
+        const auto next = std::ranges::upper_bound(
+            primitives_, scene_triangle, {}, &BakedPrimitive::first_triangle);
         if (next == primitives_.begin()) return glm::dvec3(0);
         const BakedPrimitive& primitive = *std::prev(next);
         const std::size_t t = scene_triangle - primitive.first_triangle;
@@ -144,9 +142,8 @@ EdgeCounts add_edges(GltfEdit& edit,
         }
         const auto own = edges_of(primitive, edges);
         const std::vector<std::uint8_t> values = edge_visibility(own, edges.edges);
-        counts.hard += static_cast<std::size_t>(std::count(values.begin(), values.end(), kHard));
-        if (std::all_of(values.begin(), values.end(), [](auto value) { return value == kHidden; }))
-            continue;
+        counts.hard += static_cast<std::size_t>(std::ranges::count(values, kHard));
+        if (std::ranges::all_of(values, [](auto value) { return value == kHidden; })) continue;
         const std::vector<std::byte> bytes = packed_visibility(values);
         Json extension = {
             {"visibility",

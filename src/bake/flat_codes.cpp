@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "core/error.h"
@@ -162,8 +161,7 @@ class Dropping {
 void check(std::span<const std::uint32_t> indices,
            std::size_t vertex_count,
            std::span<const std::uint64_t> codes) {
-    const auto outside =
-        std::find_if(indices.begin(), indices.end(), [&](auto i) { return i >= vertex_count; });
+    const auto outside = std::ranges::find_if(indices, [&](auto i) { return i >= vertex_count; });
     if (outside != indices.end())
         throw core::Error("triangles",
                           fmt::format("vertex {}", *outside),

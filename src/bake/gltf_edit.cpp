@@ -107,7 +107,7 @@ std::size_t GltfEdit::replace_accessor(std::size_t old, std::size_t uses, Json a
 
 void GltfEdit::use_extension(const char* name) {
     Json& used = json_["extensionsUsed"];
-    if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+    if (std::ranges::find(used, name) == used.end()) used.push_back(name);
 }
 
 void GltfEdit::drop_extension(const char* name) {
@@ -145,7 +145,7 @@ void GltfEdit::drop_fallback_buffers() {
     for (std::size_t b = 0; b < document_.buffers.size(); ++b) {
         const import::JsonObject& buffer = document_.buffers[b];
         const bool is_fallback =
-            !buffer.has("uri") && std::any_of(kMeshopt.begin(), kMeshopt.end(), [&](auto* name) {
+            !buffer.has("uri") && std::ranges::any_of(kMeshopt, [&](auto* name) {
                 const auto extension = buffer.extension(name);
                 return extension && extension->flag_or("fallback", false);
             });
@@ -187,11 +187,10 @@ std::string GltfEdit::filled(std::size_t buffer) {
         buffers.push_back(Json::object());
     }
     // The longest first: they find room most rarely.
-    std::stable_sort(added_.begin(), added_.end(), [](const Added& a, const Added& b) {
-        return a.bytes.size() > b.bytes.size();
-    });
+    std::ranges::stable_sort(
+        added_, [](const Added& a, const Added& b) { return a.bytes.size() > b.bytes.size(); });
     for (const Added& added : added_) {
-        const auto room = std::find_if(free.begin(), free.end(), [&](const ByteRange& range) {
+        const auto room = std::ranges::find_if(free, [&](const ByteRange& range) {
             return range.end - range.first >= added.bytes.size();
         });
         std::size_t start = 0;
@@ -218,7 +217,7 @@ std::string GltfEdit::filled(std::size_t buffer) {
 bool GltfEdit::names_files() const {
     for (const char* list : {"buffers", "images"}) {
         if (!json_.contains(list)) continue;
-        if (std::any_of(json_[list].begin(), json_[list].end(), is_file)) return true;
+        if (std::ranges::any_of(json_[list], is_file)) return true;
     }
     return false;
 }
@@ -253,10 +252,9 @@ void GltfEdit::hold_images(std::vector<std::string>& notes) {
 void GltfEdit::hold_buffers() {
     if (kept_buffers_.size() < 2) return;
     const auto& views = document_.buffer_views;
-    const bool is_packed = std::any_of(views.begin(), views.end(), [](auto& view) {
-        return std::any_of(kMeshopt.begin(), kMeshopt.end(), [&](auto* name) {
-            return view.extension(name).has_value();
-        });
+    const bool is_packed = std::ranges::any_of(views, [](auto& view) {
+        return std::ranges::any_of(kMeshopt,
+                                   [&](auto* name) { return view.extension(name).has_value(); });
     });
     Json& buffers = json_["buffers"];
     if (is_packed) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/mat4x4.hpp>
 
 #include "core/error.h"
 #include "core/hash.h"

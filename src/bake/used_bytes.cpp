@@ -68,9 +68,7 @@ class Uses {
 
     [[nodiscard]] bool is_sound() const { return is_sound_; }
     [[nodiscard]] std::vector<ByteRange> merged() {
-        std::sort(ranges_.begin(), ranges_.end(), [](const ByteRange& a, const ByteRange& b) {
-            return a.first < b.first;
-        });
+        std::ranges::sort(ranges_, {}, &ByteRange::first);
         std::vector<ByteRange> merged;
         for (const ByteRange& range : ranges_) {
             if (!merged.empty() && range.first <= merged.back().end)
@@ -162,12 +160,11 @@ bool knows_all_references(const Json& gltf) {
                                                      "MSFT_texture_dds",
                                                      "FB_ngon_encoding"};
     const auto used = gltf.find("extensionsUsed");
-    return used == gltf.end() || std::all_of(used->begin(), used->end(), [&](const Json& name) {
+    return used == gltf.end() || std::ranges::all_of(*used, [&](const Json& name) {
                const bool is_khronos =
                    name.is_string() && name.get_ref<const std::string&>().starts_with("KHR_");
-               return is_khronos || std::any_of(kKnown.begin(), kKnown.end(), [&](auto known) {
-                          return name == known;
-                      });
+               return is_khronos ||
+                      std::ranges::any_of(kKnown, [&](auto known) { return name == known; });
            });
 }
 

@@ -64,8 +64,7 @@ CageEdges edges_of(const Cage& cage) {
             sides.push_back(
                 {std::minmax<std::uint32_t>(face[i], face[(i + 1) % face.size()]), f, i});
     }
-    std::stable_sort(
-        sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
+    std::ranges::stable_sort(sides, [](const Side& a, const Side& b) { return a.ends < b.ends; });
     assert(sides.size() % 2 == 0);
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
         const Side& one = sides[i];

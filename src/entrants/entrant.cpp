@@ -7,7 +7,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <numbers>
 #include <optional>
@@ -48,8 +47,8 @@ std::string last_line(std::string_view text) {
         if (here.find_first_not_of(" \t\r") != std::string_view::npos) line = here;
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
     return line.substr(0, kLongest);
 }
 
@@ -177,7 +176,7 @@ constexpr const char* kWhere = "--entrant";
 constexpr const char* kAccepted = "NAME=FOLDER of images, or NAME=PROGRAM";
 
 void check_entrant_name(const std::string& name, const std::string& text) {
-    const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    const bool is_word = !name.empty() && std::ranges::all_of(name, [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
     });
     if (!is_word) {
@@ -185,10 +184,9 @@ void check_entrant_name(const std::string& name, const std::string& text) {
             kWhere, fmt::format("'{}' has no name", text), "letters, digits, _ and - before the =");
     }
     const auto& methods = methods::registry();
-    const bool is_taken = harness::is_baseline(name) ||
-                          std::any_of(methods.begin(), methods.end(), [&](const auto& info) {
-                              return info.name == name;
-                          });
+    const bool is_taken =
+        harness::is_baseline(name) ||
+        std::ranges::any_of(methods, [&](const auto& info) { return info.name == name; });
     if (is_taken) {
         throw core::Error(
             kWhere, fmt::format("there is a method '{}' already", name), "a name of its own");

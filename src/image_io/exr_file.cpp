@@ -104,7 +104,7 @@ std::vector<std::uint8_t> interleave(const ExrFile& file, const OIIO::ImageSpec&
 
 [[maybe_unused]] bool is_well_formed(const ExrFile& file) {
     std::set<std::string> names;
-    return std::all_of(file.channels.begin(), file.channels.end(), [&](const ExrChannel& c) {
+    return std::ranges::all_of(file.channels, [&](const ExrChannel& c) {
         return size_of(c) == size_of(file.channels.front()) && names.insert(c.name).second;
     });
 }
@@ -113,7 +113,7 @@ template <class T>
 core::Image<T> read_image(OpenFile& file, int index) {
     core::Image<T> image(file.width_px, file.height_px);
     const std::vector<T> samples = read_samples<T>(file, index, index + 1);
-    std::copy(samples.begin(), samples.end(), image.data());
+    std::ranges::copy(samples, image.data());
     return image;
 }
 
@@ -178,9 +178,7 @@ ExrFile read_exr(const fs::path& path) {
     ExrFile file;
     for (int i = 0; i < opened.spec.nchannels; ++i)
         file.channels.push_back(read_channel(opened, i));
-    std::sort(file.channels.begin(), file.channels.end(), [](const auto& a, const auto& b) {
-        return a.name < b.name;
-    });
+    std::ranges::sort(file.channels, [](const auto& a, const auto& b) { return a.name < b.name; });
     file.attributes = attributes_of(opened.spec);
     return file;
 }

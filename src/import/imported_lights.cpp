@@ -35,9 +35,8 @@ bool is_usable(const ImportedLight& light) {
             : is_usable(light.p_world);
     return has_place && is_usable(glm::dvec3(light.color)) && is_usable(light.range) &&
            is_usable(light.inner_range) && light.range >= 0 && light.inner_range >= 0 &&
-           std::all_of(light.colors.begin(), light.colors.end(), [](const scene::VectorKey& key) {
-               return is_usable(key.value);
-           });
+           std::ranges::all_of(light.colors,
+                               [](const scene::VectorKey& key) { return is_usable(key.value); });
 }
 
 double brightest(const glm::dvec3& color) {
@@ -56,8 +55,7 @@ struct Lamp {
             key.value *= factor;
     }
     [[nodiscard]] bool is_dark() const {
-        return color == glm::dvec3{0} &&
-               std::all_of(motion.colors.begin(), motion.colors.end(), [](const auto& key) {
+        return color == glm::dvec3{0} && std::ranges::all_of(motion.colors, [](const auto& key) {
                    return key.value == glm::dvec3{0};
                });
     }

@@ -41,11 +41,10 @@ bool has_area(const scene::Mesh& mesh, const scene::Triangle& triangle) {
 /// (many STL writers leave zeros): a mesh has normals or it has not.
 void tidy_normals(scene::Mesh& mesh) {
     const auto is_bad = [&](std::uint32_t v) { return !is_usable_normal(mesh.normals[v]); };
-    const bool has_bad = std::any_of(
-        mesh.triangles.begin(), mesh.triangles.end(), [&](const scene::Triangle& triangle) {
-            return !mesh.normals.empty() && std::any_of(triangle.begin(), triangle.end(), is_bad) &&
-                   has_area(mesh, triangle);
-        });
+    const bool has_bad = std::ranges::any_of(mesh.triangles, [&](const scene::Triangle& triangle) {
+        return !mesh.normals.empty() && std::ranges::any_of(triangle, is_bad) &&
+               has_area(mesh, triangle);
+    });
     if (has_bad) mesh.normals.clear();
     for (glm::vec3& n : mesh.normals) {
         n = is_usable_normal(n) ? glm::vec3(glm::normalize(glm::dvec3(n))) : glm::vec3(0, 0, 1);

@@ -51,8 +51,7 @@ std::vector<Md3File> md3_files(const std::filesystem::path& path) {
     constexpr std::array kParts{"lower", "upper", "head"};
     const std::string stem = path.stem().string();
     const std::size_t end = std::min(stem.find_last_of('_'), stem.size());
-    const bool is_part =
-        std::find(kParts.begin(), kParts.end(), lower_case(stem.substr(0, end))) != kParts.end();
+    const bool is_part = std::ranges::find(kParts, lower_case(stem.substr(0, end))) != kParts.end();
     std::vector<Md3File> files;
     for (const char* part : kParts) {
         if (!is_part) break;

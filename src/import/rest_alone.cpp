@@ -22,9 +22,8 @@ void note_rest_alone(const ImportChoice& choice, std::vector<std::string>& notes
 }
 
 bool is_at_rest_alone(const scene::FileFacts& file) {
-    return std::any_of(file.notes.begin(), file.notes.end(), [](const std::string& note) {
-        return note.starts_with(kAtRest);
-    });
+    return std::ranges::any_of(file.notes,
+                               [](const std::string& note) { return note.starts_with(kAtRest); });
 }
 
 void check_motion_is_read(const scene::Scene& scene, const std::string& option) {

@@ -133,10 +133,7 @@ class Package {
         if (!attribute_of(place.object, "slicestackid").empty()) ++left_out_["stack of slices"];
         for (const Element& parent : {place.object, place.part->child(place.object, "mesh")})
             for (const Element& element : parent.children()) {
-                const bool is_known =
-                    std::any_of(kKnown.begin(), kKnown.end(), [&](const char* name) {
-                        return local_name(element) == name;
-                    });
+                const bool is_known = std::ranges::count(kKnown, local_name(element)) > 0;
                 if (!is_known) ++left_out_['<' + std::string(element.name()) + '>'];
             }
     }
@@ -166,9 +163,8 @@ class Package {
     void add_notes() {
         for (const auto& [what, count] : left_out_)
             reply_.notes.push_back(counted(count, what) + ": left out");
-        const auto clear = std::count_if(materials_.colors().begin(),
-                                         materials_.colors().end(),
-                                         [](const glm::vec4& color) { return color.a < 1; });
+        const auto clear = std::ranges::count_if(
+            materials_.colors(), [](const glm::vec4& color) { return color.a < 1; });
         if (clear > 0) reply_.notes.push_back(drawn_opaque(static_cast<std::size_t>(clear)));
     }
 

@@ -112,9 +112,8 @@ ThreeMfPart::ThreeMfPart(const std::string& name, const std::string& text) : nam
     }
     check_extensions();
     const pugi::xml_attribute unit = model_.attribute("unit");
-    const auto known = std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& entry) {
-        return entry.first == unit.value();
-    });
+    const auto known = std::ranges::find_if(
+        kUnits, [&](const auto& entry) { return entry.first == unit.value(); });
     if (unit && known == kUnits.end()) {
         throw core::Error(
             "",
@@ -144,7 +143,7 @@ std::vector<std::string> ThreeMfPart::unknown_extensions(const char* attribute) 
     for (const std::string_view prefix : words_of(model_.attribute(attribute).value())) {
         const std::string key = "xmlns:" + std::string(prefix);
         const std::string_view language = model_.attribute(key.c_str()).value();
-        if (std::find(kKnown.begin(), kKnown.end(), language) != kKnown.end()) continue;
+        if (std::ranges::find(kKnown, language) != kKnown.end()) continue;
         unknown.push_back(std::string(prefix) + " (" + std::string(language) + ')');
     }
     return unknown;

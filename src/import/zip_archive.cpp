@@ -56,9 +56,8 @@ ZipArchive::ZipArchive(const std::filesystem::path& path) : zip_(unzOpen64(path.
 
 std::string ZipArchive::find(std::string name) const {
     name = lower_case(std::move(name));
-    const auto found = std::find_if(names_.begin(), names_.end(), [&](const std::string& other) {
-        return lower_case(other) == name;
-    });
+    const auto found = std::ranges::find_if(
+        names_, [&](const std::string& other) { return lower_case(other) == name; });
     return found == names_.end() ? "" : *found;
 }
 

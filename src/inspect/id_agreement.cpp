@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include "buffers/each_tile.h"

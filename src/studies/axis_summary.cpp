@@ -139,9 +139,7 @@ std::vector<AxisCurve> axis_curves(const std::vector<AxisPoint>& points, const s
     std::vector<AxisCurve> curves;
     for (const AxisPoint& point : points) {
         if (point.axis != axis) continue;
-        auto at = std::find_if(curves.begin(), curves.end(), [&](const AxisCurve& curve) {
-            return curve.method == point.method;
-        });
+        auto at = std::ranges::find(curves, point.method, &AxisCurve::method);
         if (at == curves.end()) {
             curves.push_back({point.method, {}});
             at = curves.end() - 1;
@@ -149,9 +147,7 @@ std::vector<AxisCurve> axis_curves(const std::vector<AxisPoint>& points, const s
         at->points.push_back(point);
     }
     for (AxisCurve& curve : curves) {
-        std::stable_sort(curve.points.begin(), curve.points.end(), [](auto& a, auto& b) {
-            return a.value < b.value;
-        });
+        std::ranges::stable_sort(curve.points, {}, &AxisPoint::value);
     }
     return curves;
 }

@@ -155,8 +155,7 @@ class Run {
         row.flicker = score::flicker(record.frames, harness::kTolerance_px);
         row.pops = score::count_pops(record.sights);
         row.lives = score::life_counts(lines);
-        row.lives_cut =
-            std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line.is_cut; });
+        row.lives_cut = std::ranges::count_if(lines, [](const auto& line) { return line.is_cut; });
         row.image_hash = record.images.hex();
     }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 

@@ -39,8 +39,7 @@ constexpr DemoRow kRows[] = {
 std::vector<std::string> seen(const std::vector<DemoFrame>& frames, std::string DemoFrame::*field) {
     std::vector<std::string> values;
     for (const DemoFrame& frame : frames) {
-        if (std::find(values.begin(), values.end(), frame.*field) == values.end())
-            values.push_back(frame.*field);
+        if (std::ranges::find(values, frame.*field) == values.end()) values.push_back(frame.*field);
     }
     return values;
 }
@@ -119,7 +118,7 @@ const core::TableOf<FrameLine>& frames_table() {
 
 MedianRange median_range(std::vector<std::int64_t> values) {
     assert(!values.empty());
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     const auto n = static_cast<double>(values.size());
     const double reach = 0.98 * std::sqrt(n);
     const auto at = [&](double rank) {
@@ -159,15 +158,14 @@ std::string timedemo_table(const std::vector<DemoFrame>& frames) {
     // "142 [138, 147]" frames a second where there is such a rate, in the line of its kind.
     for (const DemoRate& rate : timedemo_rates(frames)) {
         const std::string method = rate.method.empty() ? "-" : rate.method;
-        auto line = std::find_if(cells.begin(), cells.end(), [&](const auto& cell) {
-            return cell[0] == method && cell[1] == rate.drawn;
-        });
+        auto line = std::ranges::find_if(
+            cells, [&](const auto& cell) { return cell[0] == method && cell[1] == rate.drawn; });
         if (line == cells.end()) {
             line = cells.insert(line, std::vector<std::string>(cells[0].size(), "-"));
             line->front() = method;
             line->at(1) = rate.drawn;
         }
-        const auto path = std::find(paths.begin(), paths.end(), rate.path) - paths.begin();
+        const auto path = std::ranges::find(paths, rate.path) - paths.begin();
         line->at(2 + 2 * static_cast<std::size_t>(path) + (rate.is_cached ? 1 : 0)) =
             fmt::format("{:.0f} [{:.0f}, {:.0f}]", rate.fps, rate.low_fps, rate.high_fps);
     }

@@ -54,7 +54,7 @@ std::string key_at(method::MethodConfig config, const TunedParameter& parameter,
 template <class Kept>
 bool make_latest(Kept& kept, const std::string& key) {
     const auto found =
-        std::find_if(kept.begin(), kept.end(), [&](const auto& each) { return each.key == key; });
+        std::ranges::find_if(kept, [&](const auto& each) { return each.key == key; });
     if (found == kept.end()) return false;
     std::rotate(found, found + 1, kept.end());
     return true;
@@ -83,13 +83,11 @@ bool TunePlanes::can_draw(const method::MethodConfig& config) const {
 }
 
 bool TunePlanes::can_search(const method::MethodConfig& config, const TuneSpace& space) const {
-    return can_draw(config) && std::all_of(space.parameters().begin(),
-                                           space.parameters().end(),
-                                           [&](const TunedParameter& parameter) {
-                                               return !parameter.param.is_number() ||
-                                                      key_at(config, parameter, parameter.low) ==
+    return can_draw(config) &&
+           std::ranges::all_of(space.parameters(), [&](const TunedParameter& parameter) {
+               return !parameter.param.is_number() || key_at(config, parameter, parameter.low) ==
                                                           key_at(config, parameter, parameter.high);
-                                           });
+           });
 }
 
 const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code, int threads) {

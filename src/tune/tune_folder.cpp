@@ -1,7 +1,5 @@
 #include "tune/tune_folder.h"
 
-#include <fmt/format.h>
-
 #include <sstream>
 #include <utility>
 

@@ -73,10 +73,8 @@ std::string left_out_line(const TuneResult& result, const TuneOptions& options) 
 /// Who drew the search's settings, and how much it matters.
 std::string agreement_line(const TuneResult& result) {
     if (!result.agreement) return "";
-    const auto n_planes =
-        std::count_if(result.steps.begin(), result.steps.end(), [](const TuneStep& step) {
-            return step.found.is_by_planes;
-        });
+    const auto n_planes = std::ranges::count_if(
+        result.steps, [](const TuneStep& step) { return step.found.is_by_planes; });
     const PlaneAgreement& agreement = *result.agreement;
     return fmt::format(
         "{} of {} evaluations took a short cut; every new best was checked with the whole method\n "

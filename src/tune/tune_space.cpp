@@ -111,8 +111,8 @@ std::string default_parameters(const method::MethodInfo& method) {
 TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& parameters)
     : limits_(method.sum_limits) {
     const auto is_limited = [&](const std::string& name) {
-        return std::any_of(limits_.begin(), limits_.end(), [&](const method::SumLimit& limit) {
-            return std::count(limit.params.begin(), limit.params.end(), name) > 0;
+        return std::ranges::any_of(limits_, [&](const method::SumLimit& limit) {
+            return std::ranges::count(limit.params, name) > 0;
         });
     };
     for (const std::string& text :
@@ -133,10 +133,8 @@ TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& parame
 }
 
 bool TuneSpace::has(const std::string& name) const {
-    return std::any_of(
-        parameters_.begin(), parameters_.end(), [&](const TunedParameter& parameter) {
-            return parameter.param.name == name;
-        });
+    return std::ranges::any_of(
+        parameters_, [&](const TunedParameter& parameter) { return parameter.param.name == name; });
 }
 
 core::ParamValues TuneSpace::settings_at(const std::vector<double>& point) const {
@@ -145,8 +143,7 @@ core::ParamValues TuneSpace::settings_at(const std::vector<double>& point) const
         values.push_back(value_at(parameters_[i], point[i]));
     for (const method::SumLimit& limit : limits_) {
         const auto is_in = [&](std::size_t i) {
-            return std::count(limit.params.begin(), limit.params.end(), parameters_[i].param.name) >
-                   0;
+            return std::ranges::count(limit.params, parameters_[i].param.name) > 0;
         };
         double sum = 0;
         for (std::size_t i = 0; i < parameters_.size(); ++i)

@@ -1,7 +1,5 @@
 #include "harness/rows/row_table.h"
 
-#include <fmt/format.h>
-
 #include "core/vocabulary.h"
 #include "harness/rows/row_parts.h"
 #include "score/intersections.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "core/hash.h"
@@ -33,9 +32,8 @@ std::vector<std::size_t> first_equals(const std::vector<Evaluation>& evaluations
         firsts[i] = i;
         if (!evaluation.row.is_ok() || evaluation.row.method == kOracle) continue;
         auto& alike = known[{evaluation.row.image_hash, evaluation.threshold}];
-        const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t first) {
-            return evaluations[first].image == evaluation.image;
-        });
+        const auto found = std::ranges::find_if(
+            alike, [&](std::size_t first) { return evaluations[first].image == evaluation.image; });
         if (found == alike.end()) {
             alike.push_back(i);
         } else {

@@ -44,10 +44,9 @@ struct Counted {
     }
     /// The same of all intersections.
     void fill_intersections(std::string_view group, Row& row) {
-        const auto found = std::find_if(
-            lists.classes.begin(), lists.classes.end(), [](const score::ClassPixels& c) {
-                return c.label == static_cast<std::uint8_t>(truth::LineClass::intersection);
-            });
+        const auto found = std::ranges::find_if(lists.classes, [](const score::ClassPixels& c) {
+            return c.label == static_cast<std::uint8_t>(truth::LineClass::intersection);
+        });
         fill(group, found == lists.classes.end() ? PixelList() : found->pixels, row);
     }
 };

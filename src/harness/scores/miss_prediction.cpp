@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "edge/laplacian.h"
 #include "harness/cells/cell.h"

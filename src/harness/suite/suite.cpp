@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <set>
 
@@ -278,8 +277,7 @@ SceneViews load_one_view(const std::string& what,
     std::vector<std::string> names;
     for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);
-    const auto found =
-        view_name.empty() ? names.begin() : std::find(names.begin(), names.end(), view_name);
+    const auto found = view_name.empty() ? names.begin() : std::ranges::find(names, view_name);
     if (found == names.end()) {
         throw core::Error("--view",
                           fmt::format("{} has no view '{}'", scene_views.scene.name, view_name),

@@ -55,9 +55,8 @@ std::optional<Crosscheck> decode_check(std::string_view bytes, const std::string
     Crosscheck check;
     pass(in, check);
     const auto& all = check.agreement.disagreements;
-    const bool has_classes = std::all_of(all.begin(), all.end(), [](const Disagreement& d) {
-        return d.line_class <= truth::LineClass::ignore;
-    });
+    const bool has_classes = std::ranges::all_of(
+        all, [](const Disagreement& d) { return d.line_class <= truth::LineClass::ignore; });
     return in.is_at_end() && has_classes ? std::optional(std::move(check)) : std::nullopt;
 }
 

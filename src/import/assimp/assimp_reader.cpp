@@ -100,9 +100,8 @@ double vertical_fov_rad(const aiCamera& camera) {
 }
 
 ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode>& nodes) {
-    const auto home = std::find_if(nodes.begin(), nodes.end(), [&](const PlacedNode& placed) {
-        return placed.node->mName == from.mName;
-    });
+    const auto home = std::ranges::find_if(
+        nodes, [&](const PlacedNode& placed) { return placed.node->mName == from.mName; });
     const bool is_placed = home != nodes.end();
     const auto node = is_placed ? static_cast<std::uint32_t>(home - nodes.begin()) : scene::kNoNode;
     const glm::dmat4 world = is_placed ? home->world_from_node : glm::dmat4{1};

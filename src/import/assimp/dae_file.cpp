@@ -4,7 +4,6 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <map>
 #include <set>
 #include <sstream>
 

@@ -24,8 +24,7 @@ std::vector<Element> sources_of(const DaeDocument& dae, Element geometry, std::s
     for (const Element& input : elements(geometry, "input")) {
         if (input.attribute("semantic").value() != kind) continue;
         const Element source = dae.target(input, "source", {"source"});
-        if (std::find(sources.begin(), sources.end(), source) == sources.end())
-            sources.push_back(source);
+        if (std::ranges::find(sources, source) == sources.end()) sources.push_back(source);
     }
     return sources;
 }
@@ -143,8 +142,8 @@ std::string bake(DaeDocument& dae, const Element& morph) {
     const Element copy = copy_of(dae, shares.front().geometry, id);
     write_vectors(positions, sources_of(dae, copy, "POSITION").front());
     const std::vector<Element> own = sources_of(dae, copy, "NORMAL");
-    const bool is_each_blended = std::none_of(
-        normals.begin(), normals.end(), [](const Vectors& vectors) { return vectors.empty(); });
+    const bool is_each_blended =
+        std::ranges::none_of(normals, [](const Vectors& vectors) { return vectors.empty(); });
     if (!is_each_blended) drop_inputs(copy, "NORMAL");
     for (std::size_t n = 0; n < own.size() && is_each_blended; ++n)
         write_vectors(normals[n], own[n]);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/matrix.hpp>
 #include <string>
 
 #include "import/refusal.h"
@@ -94,9 +93,8 @@ std::vector<Bone> bones_of(const FbxObject& skin,
     std::vector<Bone> bones;
     for (const FbxObject* cluster : children_of(skin, "Deformer", "Cluster")) {
         const auto of = children_of(*cluster, "Model");
-        const auto bone = std::find_if(models.begin(), models.end(), [&](const FbxModel& one) {
-            return !of.empty() && one.object == of.front();
-        });
+        const auto bone = std::ranges::find_if(
+            models, [&](const FbxModel& one) { return !of.empty() && one.object == of.front(); });
         if (bone == models.end()) continue;
         if (cluster->element->word("Mode") == "Additive")
             refuse(*cluster, "the link mode Additive is not read", "Normalize, Total1");

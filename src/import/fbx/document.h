@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

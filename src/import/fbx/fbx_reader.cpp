@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <map>
 #include <numbers>
 #include <set>
@@ -80,7 +79,7 @@ class FbxReader {
     [[nodiscard]] bool has_motion() const {
         const auto deformers = document_.all("Deformer");
         return !document_.all("AnimationCurve").empty() ||
-               std::any_of(deformers.begin(), deformers.end(), [](const FbxObject* deformer) {
+               std::ranges::any_of(deformers, [](const FbxObject* deformer) {
                    return deformer->kind == "VertexCacheDeformer";
                });
     }
@@ -113,9 +112,8 @@ class FbxReader {
         std::vector<const FbxObject*> key = meshes;
         const auto materials = children_of(*model.object, "Material");
         key.insert(key.end(), materials.begin(), materials.end());
-        const bool is_skinned = std::any_of(meshes.begin(), meshes.end(), [](auto* mesh) {
-            return !children_of(*mesh, "Deformer", "Skin").empty();
-        });
+        const bool is_skinned = std::ranges::any_of(
+            meshes, [](auto* mesh) { return !children_of(*mesh, "Deformer", "Skin").empty(); });
         auto number = static_cast<std::uint32_t>(reply_.meshes.size());
         const auto [known, is_new] = mesh_of_.try_emplace(std::move(key), number);
         if (!is_new && !is_skinned) {

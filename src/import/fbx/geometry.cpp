@@ -1,7 +1,6 @@
 #include "import/fbx/geometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "import/meshes/polygons.h"

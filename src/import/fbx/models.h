@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <glm/mat4x4.hpp>
-#include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "import/fbx/document.h"

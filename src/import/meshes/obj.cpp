@@ -71,7 +71,7 @@ constexpr std::array<std::string_view, 28> kWithoutEffect{
 
 template <class List>
 bool holds(const List& list, std::string_view word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
+    return std::ranges::find(list, word) != list.end();
 }
 
 /// Numbers given to names as they come.
@@ -265,8 +265,7 @@ ImportReply ObjReader::read() {
         reply.instances.push_back({.mesh = m, .name = reply.meshes[m].name});
     reply.notes = notes();
     reply.base_colors = base_colors();
-    const auto clear = std::count_if(
-        reply.base_colors.begin(), reply.base_colors.end(), [](auto& c) { return c.a < 1; });
+    const auto clear = std::ranges::count_if(reply.base_colors, [](auto& c) { return c.a < 1; });
     if (clear > 0) reply.notes.push_back(drawn_opaque(static_cast<std::size_t>(clear)));
     return reply;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "statistics/bootstrap.h"
 
@@ -24,8 +23,8 @@ std::string code(const std::string& name, Markup markup) {
 
 /// "1 scene", "4 models": models where all are model files.
 std::string scenes_text(const std::vector<harness::Row>& rows, int count) {
-    const bool are_models = std::all_of(
-        rows.begin(), rows.end(), [](const harness::Row& row) { return row.split == "real"; });
+    const bool are_models =
+        std::ranges::all_of(rows, [](const harness::Row& row) { return row.split == "real"; });
     return fmt::format("{} {}{}", count, are_models ? "model" : "scene", count == 1 ? "" : "s");
 }
 
@@ -81,10 +80,9 @@ std::string rival_sentence(const Answer& answer,
 /// How the other differs from the answer; nothing without a view that both have.
 std::optional<PairedDifference> difference_of(const std::vector<PairedDifference>& differences,
                                               const Answer& answer) {
-    const auto paired =
-        std::find_if(differences.begin(), differences.end(), [&](const PairedDifference& d) {
-            return d.a == answer.other()->method && d.b == answer.method->method;
-        });
+    const auto paired = std::ranges::find_if(differences, [&](const PairedDifference& d) {
+        return d.a == answer.other()->method && d.b == answer.method->method;
+    });
     return paired == differences.end() ? std::nullopt : std::optional(*paired);
 }
 

@@ -85,10 +85,8 @@ std::string times_line(const RunDiff& diff) {
         if (method.time_ratio) timed.push_back(&method);
     }
     if (timed.empty()) return "";
-    const auto [least, most] =
-        std::minmax_element(timed.begin(), timed.end(), [](const auto* a, const auto* b) {
-            return *a->time_ratio < *b->time_ratio;
-        });
+    const auto [least, most] = std::ranges::minmax_element(
+        timed, [](const auto* a, const auto* b) { return *a->time_ratio < *b->time_ratio; });
     return fmt::format("Drawing times, after over before: from {:.2f} ({}) to {:.2f} ({})\n",
                        *(*least)->time_ratio,
                        (*least)->method,

@@ -50,8 +50,8 @@ core::Cells cells_of(const std::vector<summary::MethodSummary>& summaries) {
 
 /// What the marks behind names mean.
 std::string marks(const std::vector<summary::MethodSummary>& summaries) {
-    const bool has_own_clock = std::any_of(
-        summaries.begin(), summaries.end(), [](const auto& s) { return s.has_own_clock; });
+    const bool has_own_clock =
+        std::ranges::any_of(summaries, [](const auto& s) { return s.has_own_clock; });
     return std::string("`*` a baseline, no method") +
            (has_own_clock ? "; `+` from outside: images made elsewhere, times by their own clock"
                           : "");
@@ -100,7 +100,7 @@ std::string failures(const std::vector<summary::MethodSummary>& summaries) {
 /// say that it samples.
 const char* baseline_of(const std::string& method, const std::vector<harness::Row>& rows) {
     const auto of_method = [&](const harness::Row& row) { return row.method == method; };
-    const auto row = std::find_if(rows.begin(), rows.end(), of_method);
+    const auto row = std::ranges::find_if(rows, of_method);
     const bool has_corners =
         row != rows.end() &&
         (";" + row->params + ";").find(";samples=corner;") != std::string::npos;
@@ -113,10 +113,9 @@ const char* baseline_of(const std::string& method, const std::vector<harness::Ro
 std::string sample_warning(const char* baseline,
                            const std::vector<harness::Row>& rows,
                            const std::vector<summary::MethodSummary>& summaries) {
-    const auto exact =
-        std::find_if(summaries.begin(), summaries.end(), [&](const summary::MethodSummary& s) {
-            return s.method == baseline && s.f_2px;
-        });
+    const auto exact = std::ranges::find_if(summaries, [&](const summary::MethodSummary& s) {
+        return s.method == baseline && s.f_2px;
+    });
     if (exact == summaries.end()) return "";
     std::string better;
     for (const summary::MethodSummary& s : summaries) {
@@ -150,8 +149,8 @@ std::string error_scenes(const std::vector<summary::MethodSummary>& summaries) {
 
 /// A warning that names the view in which rounding of coordinates shows most; empty if in none.
 std::string rounding_warning(const std::vector<harness::Row>& rows) {
-    const auto most = std::max_element(
-        rows.begin(), rows.end(), [](auto& a, auto& b) { return a.rounding_px < b.rounding_px; });
+    const auto most = std::ranges::max_element(
+        rows, [](auto& a, auto& b) { return a.rounding_px < b.rounding_px; });
     if (most == rows.end() || !most->shows_rounding()) return "";
     std::set<std::pair<std::string, std::string>> views;
     for (const harness::Row& row : rows)

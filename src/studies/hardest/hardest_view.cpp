@@ -8,7 +8,6 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 #include <memory>
-#include <span>
 
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -81,7 +80,7 @@ class Looker {
 
     /// The point nearest to the own view that is worst.
     [[nodiscard]] std::vector<double> start() const {
-        const auto worst = std::min_element(looks_.begin(), looks_.end(), is_worse);
+        const auto worst = std::ranges::min_element(looks_, is_worse);
         const auto n = static_cast<std::size_t>(worst - looks_.begin());
         return space_.point_of(rest_.views[n].camera);
     }
@@ -121,14 +120,12 @@ class Looker {
         std::vector<HardestLook*> candidates;
         for (HardestLook& look : looks_)
             if (look.is_candidate() && look.phase != "usual") candidates.push_back(&look);
-        std::stable_sort(candidates.begin(), candidates.end(), [](const auto* a, const auto* b) {
-            return a->value < b->value;
-        });
+        std::ranges::stable_sort(candidates, {}, &HardestLook::value);
         std::vector<glm::dvec3> kept;
         for (HardestLook* look : candidates) {
             if (std::ssize(kept) == options_.worst) break;
             const glm::dvec3 direction = space_.direction(look->choice);
-            const bool is_alike = std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
+            const bool is_alike = std::ranges::any_of(kept, [&](const auto& other) {
                 return glm::dot(direction, other) >= std::cos(glm::radians(kDistinct_deg));
             });
             if (is_alike) continue;
@@ -241,8 +238,7 @@ std::vector<harness::SceneViews> worst_scene_views(const harness::SceneViews& sc
     std::vector<const HardestLook*> kept;
     for (const HardestLook& look : looks)
         if (look.rank) kept.push_back(&look);
-    std::sort(
-        kept.begin(), kept.end(), [](const auto* a, const auto* b) { return *a->rank < *b->rank; });
+    std::ranges::sort(kept, [](const auto* a, const auto* b) { return *a->rank < *b->rank; });
     std::vector<harness::SceneViews> worst;
     for (const HardestLook* look : kept) {
         worst.push_back(at_moment(scene_views, look->choice));
