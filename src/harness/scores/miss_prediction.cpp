@@ -85,18 +85,10 @@ score::TruthStencils stencils_of(const ViewTruth& truth) {
             .labels = truth.traced.labels};
 }
 
-MissPredictor::MissPredictor(const scene::Scene& scene)
-    : scene_(scene), bounds_(scene::bounding_sphere(scene)) {}
-
-const scene::Surface& MissPredictor::surface(const method::CodeInputs& inputs) {
-    const std::lock_guard lock(mutex_);
-    const auto [place, is_new] = surfaces_.try_emplace({inputs.normals, inputs.crease_rad});
-    if (is_new) place->second = scene::flatten(scene_, inputs.normals, inputs.crease_rad);
-    return place->second;
-}
-
 TruthCode MissPredictor::code_of(const method::LinearCode& code, const scene::View& view) {
-    return {surface(code.inputs), bounds_, view, code};
+    const scene::PreparedScene scene = scene_.shared();
+    const auto surface = scene.surface(code.inputs.normals, code.inputs.crease_rad);
+    return {*surface, scene.bounds(), view, code};
 }
 
 std::vector<score::Cause> MissPredictor::predict(const std::vector<score::Pixel>& false_negatives,

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <map>
-#include <mutex>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "harness/truths/tracing.h"
 #include "harness/truths/truth_code.h"
 #include "method/method.h"
-#include "scene/scene.h"
+#include "scene/prepared_scene.h"
 #include "score/attribution.h"
 
 namespace ink::harness {
@@ -31,7 +28,7 @@ struct Declaration {
 /// threads may ask it.
 class MissPredictor {
   public:
-    explicit MissPredictor(const scene::Scene& scene);
+    explicit MissPredictor(const scene::Scene& scene) : scene_(scene) {}
 
     /// One cause for each of `false_negatives`: of the stencils that see its line
     /// (score::seeing_stencils),
@@ -59,12 +56,7 @@ class MissPredictor {
     [[nodiscard]] TruthCode code_of(const method::LinearCode& code, const scene::View& view);
 
   private:
-    [[nodiscard]] const scene::Surface& surface(const method::CodeInputs& inputs);
-
-    const scene::Scene& scene_;
-    scene::Sphere bounds_;
-    std::mutex mutex_;  ///< of the surfaces
-    std::map<std::pair<scene::NormalSource, double>, scene::Surface> surfaces_;
+    scene::PreparedScene scene_;  ///< keeps all surfaces
 };
 
 }  // namespace ink::harness

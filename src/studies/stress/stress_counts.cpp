@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "buffers/each_tile.h"
 #include "buffers/full_buffers.h"
 #include "core/named.h"
 #include "raster/pass/pass.h"
@@ -18,40 +18,28 @@ namespace {
 // A float's rounding, many times over: what is beyond it was not rounded but lost.
 constexpr float kSlack = 1e-4F;
 
-/// Looks at every pixel of a full buffer that something was drawn to.
-class PlaneCheck : public raster::TileSink {
-  public:
-    explicit PlaneCheck(const method::DepthCarrier& carrier) : carrier_(carrier) {}
+constexpr float kSky = -7;  // no depth is
 
-    void finish(const raster::Tile& tile) override {
-        if (tile.is_empty) return;
-        buffers::TileFloats buffer;
-        std::array<buffers::TileFloats, 3> normal_buffers;
-        const buffers::TilePlane depth =
-            encoded_depth(tile, carrier_, buffers::DepthSign::near_high, kSky, buffer);
-        const auto normals = buffers::view_normals(tile, false, normal_buffers);
-        std::int64_t bad = 0;
-        std::int64_t beyond = 0;
-        for (int y = 0; y < tile.height_px; ++y) {
-            for (int x = 0; x < tile.width_px; ++x) {
-                const float d = depth.row(y)[x];
-                if (d == kSky) continue;
-                const glm::vec3 n{normals[0].row(y)[x], normals[1].row(y)[x], normals[2].row(y)[x]};
-                bad += std::isfinite(d) && scene::is_finite(n) ? 0 : 1;
-                beyond += d < -kSlack || d > 1 + kSlack ? 1 : 0;
-            }
+/// Looks at the pixels of a tile of a full buffer that something was drawn to.
+void check_planes(const raster::Tile& tile,
+                  const method::DepthCarrier& carrier,
+                  CaseFaults& faults) {
+    if (tile.is_empty) return;
+    buffers::TileFloats buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    const buffers::TilePlane depth =
+        encoded_depth(tile, carrier, buffers::DepthSign::near_high, kSky, buffer);
+    const auto normals = buffers::view_normals(tile, false, normal_buffers);
+    for (int y = 0; y < tile.height_px; ++y) {
+        for (int x = 0; x < tile.width_px; ++x) {
+            const float d = depth.row(y)[x];
+            if (d == kSky) continue;
+            const glm::vec3 n{normals[0].row(y)[x], normals[1].row(y)[x], normals[2].row(y)[x]};
+            faults.non_finite += std::isfinite(d) && scene::is_finite(n) ? 0 : 1;
+            faults.overflow += d < -kSlack || d > 1 + kSlack ? 1 : 0;
         }
-        non_finite += bad;
-        overflow += beyond;
     }
-
-    static constexpr float kSky = -7;  // no depth is
-    std::atomic<std::int64_t> non_finite = 0;
-    std::atomic<std::int64_t> overflow = 0;
-
-  private:
-    const method::DepthCarrier& carrier_;
-};
+}
 
 /// The planes of a full buffer with depth in one encoding.
 CaseFaults count_planes(const scene::Scene& scene,
@@ -65,10 +53,11 @@ CaseFaults count_planes(const scene::Scene& scene,
     if (buffers.is_empty()) return {};
     const method::Frame frame{view, 1, raster::SkipSet::none()};
     const method::DepthCarrier carrier = buffers.see(frame);
-    PlaneCheck check(carrier);
+    CaseFaults faults;
+    buffers::EachTile check([&](const raster::Tile& tile) { check_planes(tile, carrier, faults); });
     edge::EdgeImage out(view.width_px, view.height_px);
-    (void)buffers.draw(frame, carrier, PlaneCheck::kSky, check, out);
-    return {.non_finite = check.non_finite, .overflow = check.overflow};
+    (void)buffers.draw(frame, carrier, kSky, check, out);
+    return faults;
 }
 
 /// Whether no depth and no normal can take the code beyond its bits.
