@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "catalogue/shapes.h"
 #include "core/error.h"
 #include "scene/materials.h"
 #include "tests/truth/shapes.h"
@@ -20,34 +21,26 @@ scene::Mesh floor_with_fin() {
     return mesh;
 }
 
-LineClass class_of_foot(const Truth& truth, const scene::Scene& scene) {
+/// The class of what is seen of the edges of so many faces; none where nothing is.
+LineClass class_of_edge(const scene::Scene& scene, const Truth& truth, std::uint32_t faces) {
     const scene::Topology topology = scene::weld(scene);
     for (const Curve& curve : truth.curves) {
-        if (topology.edges[curve.edge].face_count == 3) return curve.line_class;
+        if (topology.edges[curve.edge].face_count == faces) return curve.line_class;
     }
     return LineClass::none;
 }
 
 TEST(Class, FinIsACreaseWhereTheEyeSeesIt) {
     const scene::Scene scene = scene_of({floor_with_fin()});
-    EXPECT_EQ(class_of_foot(trace(scene, view_from({2, 2, 5}, {0, 0, 0})), scene),
-              LineClass::crease);
-    EXPECT_EQ(class_of_foot(trace(scene, view_from({-2, 2, 5}, {0, 0, 0})), scene),
-              LineClass::crease);
-}
-
-TEST(Class, FinBehindTheFloorOrEdgeOnIsNoLine) {
-    const scene::Scene scene = scene_of({floor_with_fin()});
-    // From below the floor is nearer on either side. From within the fin's plane it is on neither.
-    EXPECT_EQ(class_of_foot(trace(scene, view_from({2, -2, 5}, {0, 0, 0})), scene),
-              LineClass::none);
-    EXPECT_EQ(class_of_foot(trace(scene, view_from({0, 2, 5}, {0, 0, 0})), scene), LineClass::none);
-}
-
-TEST(Class, FinEdgeOnDrawsNoRim) {
-    const scene::Scene scene = scene_of({floor_with_fin()});
-    const Truth truth = trace(scene, view_from({0, 2, 5}, {0, 0, 0}));
-    EXPECT_EQ(seen_length(scene, truth, {0, 1, 1}, {0, 1, -1}), 0);
+    const auto foot_from = [&](const glm::dvec3& eye) {
+        return class_of_edge(scene, trace(scene, view_from(eye, {0, 0, 0})), 3);
+    };
+    EXPECT_EQ(foot_from({2, 2, 5}), LineClass::crease);
+    EXPECT_EQ(foot_from({-2, 2, 5}), LineClass::crease);
+    EXPECT_EQ(foot_from({2, -2, 5}), LineClass::none) << "the floor is nearer on either side";
+    EXPECT_EQ(foot_from({0, 2, 5}), LineClass::none) << "edge-on it is on neither";
+    const Truth edge_on = trace(scene, view_from({0, 2, 5}, {0, 0, 0}));
+    EXPECT_EQ(seen_length(scene, edge_on, {0, 1, 1}, {0, 1, -1}), 0) << "nor has it a rim";
 }
 
 /// Two squares that meet along the y axis, the right one bent backwards by `deviation`.
@@ -62,12 +55,7 @@ scene::Mesh bent_sheet(double deviation_rad) {
 
 LineClass class_of_deviation(double deviation_deg) {
     const scene::Scene scene = scene_of({bent_sheet(deviation_deg * std::numbers::pi / 180)});
-    const scene::Topology topology = scene::weld(scene);
-    for (const Curve& curve : trace(scene, view_from(8)).curves) {
-        const scene::Edge& edge = topology.edges[curve.edge];
-        if (edge.face_count == 2) return curve.line_class;
-    }
-    return LineClass::none;
+    return class_of_edge(scene, trace(scene, view_from(8)), 2);
 }
 
 TEST(Class, FortyDegreesMakeACrease) {
@@ -85,14 +73,8 @@ LineClass class_by_file(double deviation_deg, bool is_marked) {
     // The left square's first triangle runs along the edge with its side 1.
     sheet.marked_sides = {static_cast<std::uint8_t>(is_marked ? 0b010 : 0), 0, 0, 0};
     const scene::Scene scene = scene_of({sheet});
-    const scene::Topology topology = scene::weld(scene);
-    const Truth truth =
-        trace_truth(scene, view_from(8), {.creases = scene::CreaseSource::file, .threads = 1});
-    for (const Curve& curve : truth.curves) {
-        const scene::Edge& edge = topology.edges[curve.edge];
-        if (edge.face_count == 2) return curve.line_class;
-    }
-    return LineClass::none;
+    const TruthOptions options{.creases = scene::CreaseSource::file, .threads = 1};
+    return class_of_edge(scene, trace_truth(scene, view_from(8), options), 2);
 }
 
 TEST(Class, AFilesMarksMakeACreaseOfAnyAngleAndNoContourLess) {
@@ -236,21 +218,9 @@ TEST(Class, BoxThatStandsOnAFloorKeepsItsFoot) {
 }
 
 TEST(Class, TorusContoursEndInside) {
-    scene::Mesh mesh;
-    constexpr int kRound = 96, kTube = 48;
-    const auto at = [&](int i, int j) {
-        const double u = 2 * std::numbers::pi * (i % kRound) / kRound;
-        const double v = 2 * std::numbers::pi * (j % kTube) / kTube;
-        const double r = 1 + 0.45 * std::cos(v);
-        return glm::vec3(r * std::cos(u), 0.45 * std::sin(v), r * std::sin(u));
-    };
-    for (int i = 0; i < kRound; ++i) {
-        for (int j = 0; j < kTube; ++j)
-            add_quad(mesh, at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
-    }
     const double tilt = 0.6;
-    const Truth truth =
-        trace(scene_of({mesh}), view_from({0, 6 * std::sin(tilt), 6 * std::cos(tilt)}, {0, 0, 0}));
+    const Truth truth = trace(scene_of({catalogue::make_torus({1, 0.45}, {96, 48})}),
+                              view_from({0, 6 * std::sin(tilt), 6 * std::cos(tilt)}, {0, 0, 0}));
     EXPECT_EQ(lengths(truth).size(), 1U) << "no crease, no boundary";
     // A point where one visible piece ends and no other begins: near a cusp of the hole's contour
     // (a polyhedron's zigzags there), or at the T where the hole's far rim passes behind the near

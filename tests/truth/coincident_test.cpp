@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "score/score.h"
 #include "tests/truth/shapes.h"
 
 namespace ink::truth {
@@ -14,13 +13,6 @@ scene::Mesh large_tile() {
 }
 scene::Mesh small_tile() {
     return quad({0, -0.5F, 0}, {2, -0.5F, 0}, {2, 0.5F, 0}, {0, 0.5F, 0});
-}
-
-double sampled_f(const Truth& truth) {
-    const score::ScoreOptions options{.band_px = 6,
-                                      .ignore_label = static_cast<int>(LineClass::ignore)};
-    return score::score(truth.sampled, score::prepare_truth(truth.labels, options, true), options)
-        .f();
 }
 
 TEST(Coincident, TheFirstObjectCoversTheSecond) {
@@ -78,38 +70,22 @@ TEST(Coincident, CutByAThirdTheyShowItOnce) {
     EXPECT_NEAR(lengths(truth)[LineClass::intersection], (end.x - expected.x) * scale, kPx);
 }
 
-/// A floor and a box on it, in either order, from below.
-Truth floor_from_below(bool is_floor_first) {
+TEST(Coincident, OfAFloorAndABoxAtItThatWithTheLowerFacesIsSeen) {
     const scene::Mesh floor = quad({-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
-    const scene::Mesh on_it = box({-1, 0, -1}, {1, 1, 1});
-    const auto scene = is_floor_first ? scene_of({floor, on_it}) : scene_of({on_it, floor});
-    return trace(scene, view_from({0.5, -8, 1}, {0, 0, 0}));
-}
-
-TEST(Coincident, FloorHidesWhatStandsOnIt) {
-    const Truth truth = floor_from_below(true);
-    EXPECT_EQ(lengths(truth).size(), 1U) << "its rim";
-    EXPECT_EQ(lengths(truth).count(LineClass::boundary), 1U);
-}
-
-TEST(Coincident, BottomOfTheLowerBoxIsASeamOnTheFloor) {
-    const Truth truth = floor_from_below(false);
-    EXPECT_EQ(lengths(truth).size(), 2U);
-    // A square of side 2 in one of side 4, seen under the same slant.
-    EXPECT_NEAR(lengths(truth)[LineClass::seam], lengths(truth)[LineClass::boundary] / 2, 4);
-    EXPECT_GT(lengths(truth)[LineClass::seam], 500);
-}
-
-TEST(Coincident, BoxLevelWithTheFloorIsASeam) {
-    // Sunk so that its top lies in the floor's plane; the one with the lower faces is seen.
-    const scene::Mesh floor = quad({-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
-    const scene::Mesh sunk = box({-1, -1, -1}, {1, 0, 1});
-    const scene::View view = view_from({0.5, 8, 1}, {0, 0, 0});
-    const Truth on_top = trace(scene_of({sunk, floor}), view);
-    EXPECT_EQ(lengths(on_top).size(), 2U);
-    EXPECT_NEAR(lengths(on_top)[LineClass::seam], lengths(on_top)[LineClass::boundary] / 2, 4);
-    const Truth below = trace(scene_of({floor, sunk}), view);
-    EXPECT_EQ(lengths(below).size(), 1U);
+    // Stands on it, seen from below; and sunk so that its top lies in the floor's plane.
+    for (const bool is_sunk : {false, true}) {
+        const scene::Mesh body =
+            is_sunk ? box({-1, -1, -1}, {1, 0, 1}) : box({-1, 0, -1}, {1, 1, 1});
+        const scene::View view = view_from({0.5, is_sunk ? 8 : -8, 1}, {0, 0, 0});
+        auto by_floor = lengths(trace(scene_of({floor, body}), view));
+        EXPECT_EQ(by_floor.size(), 1U) << "its rim";
+        EXPECT_EQ(by_floor.count(LineClass::boundary), 1U);
+        auto by_body = lengths(trace(scene_of({body, floor}), view));
+        EXPECT_EQ(by_body.size(), 2U);
+        // A square of side 2 in one of side 4, seen under the same slant.
+        EXPECT_NEAR(by_body[LineClass::seam], by_body[LineClass::boundary] / 2, 4);
+        EXPECT_GT(by_body[LineClass::seam], 500);
+    }
 }
 
 TEST(Coincident, BoxesOfOtherLengthsThatAbutWithLevelTopsHaveASeam) {

@@ -46,10 +46,7 @@ scene::Scene strip_through_wall(float left, float right, bool is_one_object) {
     add_quad(wall, {-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0});
     add_quad(strip, {-1, -0.5F, left}, {0, -0.5F, 0}, {0, 0.5F, 0}, {-1, 0.5F, left});
     add_quad(strip, {0, -0.5F, 0}, {1, -0.5F, -right}, {1, 0.5F, -right}, {0, 0.5F, 0});
-    if (!is_one_object) return scene_of({wall, strip});
-    for (const scene::Triangle& t : strip.triangles)
-        add_triangle(wall, strip.positions[t[0]], strip.positions[t[1]], strip.positions[t[2]]);
-    return scene_of({wall});
+    return is_one_object ? scene_of({joined({wall, strip})}) : scene_of({wall, strip});
 }
 
 TEST(Crossing, AtAnEdgeOfTheStripItIsOneAtAnyAngle) {
@@ -193,23 +190,9 @@ TEST(Crossing, TipOnAWallIsNoLine) {
 }
 
 scene::Mesh ball(const glm::vec3& centre, float radius) {
-    scene::Mesh mesh;
-    constexpr int kRings = 12, kRound = 18;
-    const auto at = [&](int ring, int i) {
-        const double v = std::numbers::pi * ring / kRings;
-        const double u = 2 * std::numbers::pi * (i % kRound) / kRound;
-        const glm::dvec3 out(std::sin(v) * std::cos(u), std::cos(v), std::sin(v) * std::sin(u));
-        return centre + radius * (ring == 0        ? glm::vec3(0, 1, 0)
-                                  : ring == kRings ? glm::vec3(0, -1, 0)
-                                                   : glm::vec3(out));
-    };
-    for (int ring = 0; ring < kRings; ++ring) {
-        for (int i = 0; i < kRound; ++i) {
-            if (ring > 0) add_triangle(mesh, at(ring, i), at(ring, i + 1), at(ring + 1, i));
-            if (ring + 1 < kRings)
-                add_triangle(mesh, at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i));
-        }
-    }
+    scene::Mesh mesh = catalogue::make_sphere(radius, 18, 12);
+    for (glm::vec3& p : mesh.positions)
+        p += centre;
     return mesh;
 }
 

@@ -1,5 +1,3 @@
-
-#include "score/score.h"
 #include "tests/truth/shapes.h"
 
 namespace ink::truth {
@@ -52,9 +50,7 @@ TEST(Law, VerticesMayBeSplitByMaterial) {
     scene::Mesh shared;
     shared.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
     shared.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-    scene::Mesh split;
-    for (const scene::Triangle& t : shared.triangles)
-        add_triangle(split, shared.positions[t[0]], shared.positions[t[1]], shared.positions[t[2]]);
+    scene::Mesh split = joined({shared});
     split.materials = {0, 1, 0, 1};
     const scene::View view = view_from({1, 2, 6}, {0, 0, 0});
     const Truth a = trace(scene_of({shared}), view);
@@ -128,14 +124,6 @@ TEST(Law, FarFromTheOriginNothingMoves) {
     const Truth far_off =
         trace(scene, view_from(glm::dvec3(2, 3, 6) + glm::dvec3(shift), glm::dvec3(shift)));
     EXPECT_EQ(near_by.labels, far_off.labels);
-}
-
-/// What the `sampled` row scores against the labels, as it is scored in every comparison.
-double sampled_f(const Truth& truth) {
-    const score::ScoreOptions options{.band_px = 6,
-                                      .ignore_label = static_cast<int>(LineClass::ignore)};
-    const auto scoring = score::prepare_truth(truth.labels, options, true);
-    return score::score(truth.sampled, scoring, options).f();
 }
 
 TEST(Sampled, AgreesWithTheLabels) {

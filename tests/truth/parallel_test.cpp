@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "catalogue/shapes.h"
 #include "scene/predicates.h"
 #include "tests/truth/shapes.h"
 
@@ -33,22 +34,10 @@ glm::dvec2 seen_at(const CurvePoint& p) {
 }
 
 /// A prism of `sides` about the y axis.
-scene::Mesh prism(int sides, double radius, double half_height) {
-    scene::Mesh mesh;
-    const auto at = [&](int i, double y) {
-        const double turn = 2 * std::numbers::pi * (i % sides + 0.25) / sides;
-        return glm::vec3(radius * std::sin(turn), y, radius * std::cos(turn));
-    };
-    for (int i = 0; i < sides; ++i) {
-        add_quad(mesh,
-                 at(i, -half_height),
-                 at(i + 1, -half_height),
-                 at(i + 1, half_height),
-                 at(i, half_height));
-        if (i == 0) continue;
-        add_triangle(mesh, at(0, half_height), at(i, half_height), at(i + 1, half_height));
-        add_triangle(mesh, at(0, -half_height), at(i + 1, -half_height), at(i, -half_height));
-    }
+scene::Mesh prism(int sides, double radius, float half_height) {
+    scene::Mesh mesh = catalogue::make_cylinder(radius, 2 * half_height, sides);
+    for (glm::vec3& p : mesh.positions)
+        p.y -= half_height;
     return mesh;
 }
 
@@ -146,21 +135,10 @@ TEST(Parallel, ACylinderHasTwoLinesAndTwoEllipses) {
 // A torus is what balls along a circle sweep: the outline of their shadow is as far from the
 // circle's ellipse as they are wide.
 TEST(Parallel, ATorusRunsBesideItsEllipse) {
-    constexpr int kAround = 96, kAcross = 48;
     constexpr double kRing = 2, kTube = 0.5;
     const double tilt = 0.9;
-    scene::Mesh mesh;
-    const auto at = [&](int i, int j) {
-        const double u = 2 * std::numbers::pi * (i % kAround) / kAround;
-        const double v = 2 * std::numbers::pi * (j % kAcross) / kAcross;
-        const double r = kRing + kTube * std::cos(v);
-        return glm::vec3(r * std::sin(u), kTube * std::sin(v), r * std::cos(u));
-    };
-    for (int i = 0; i < kAround; ++i) {
-        for (int j = 0; j < kAcross; ++j)
-            add_quad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-    const Truth truth = trace(scene_of({mesh}), parallel_view({0, std::sin(tilt), std::cos(tilt)}));
+    const Truth truth = trace(scene_of({catalogue::make_torus({kRing, kTube}, {96, 48})}),
+                              parallel_view({0, std::sin(tilt), std::cos(tilt)}));
     ASSERT_GT(truth.curves.size(), 150U);
     for (const Curve& curve : truth.curves) {
         EXPECT_EQ(curve.line_class, LineClass::contour);

@@ -11,6 +11,7 @@
 
 #include "scene/scene.h"
 #include "scene/topology.h"
+#include "score/score.h"
 #include "tests/scene/small_meshes.h"
 #include "truth/truth.h"
 
@@ -173,6 +174,14 @@ inline double length_px(const scene::View& view, const glm::dvec3& a, const glm:
     const scene::Projection projection(view);
     const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
     return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
+}
+
+/// What the `sampled` row scores against the labels, as it is scored in every comparison.
+inline double sampled_f(const Truth& truth) {
+    const score::ScoreOptions options{.band_px = 6,
+                                      .ignore_label = static_cast<int>(LineClass::ignore)};
+    const auto scoring = score::prepare_truth(truth.labels, options, true);
+    return score::score(truth.sampled, scoring, options).f();
 }
 
 template <class T>

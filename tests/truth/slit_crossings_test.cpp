@@ -13,16 +13,8 @@ constexpr double kPx = 0.01;
 
 /// How many crossings of two meshes in one object or in two are no slits at this weld tolerance.
 std::size_t kept(const std::vector<scene::Mesh>& meshes, double tolerance, bool one_object = true) {
-    scene::Scene scene = scene_of(meshes);
-    if (one_object) {
-        scene::Mesh all;
-        for (const scene::Mesh& mesh : meshes) {
-            for (const scene::Triangle& t : mesh.triangles)
-                add_triangle(all, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-        }
-        scene = scene_of({all});
-    }
-    const scene::Topology topology = scene::weld(scene);
+    const scene::Topology topology =
+        scene::weld(one_object ? scene_of({joined(meshes)}) : scene_of(meshes));
     auto crossings = find_crossings(topology, {}).segments;
     EXPECT_GT(crossings.size(), 0U);
     const std::vector<double> tolerances(meshes.size(), tolerance);

@@ -64,9 +64,7 @@ TEST(TouchingParts, ADecalIsASeamWhereObjectsDiffer) {
     const scene::Scene two_objects = scene_of({decal, kPlate});
     EXPECT_GT(lengths(trace(two_objects, view_from(6)))[LineClass::seam], 400);
     expect_the_same_in_every_pose(two_objects, view_from({1, -2, 6}, {0, 0, 0}));
-    scene::Mesh both = decal;
-    for (const scene::Triangle& t : kPlate.triangles)
-        add_triangle(both, kPlate.positions[t[0]], kPlate.positions[t[1]], kPlate.positions[t[2]]);
+    const scene::Mesh both = joined({decal, kPlate});
     EXPECT_EQ(lengths(trace(scene_of({both}), view_from(6))).size(), 1U) << "borders of the plate";
     expect_the_same_in_every_pose(scene_of({both}), view_from({1, -2, 6}, {0, 0, 0}));
 }
