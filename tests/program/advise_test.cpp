@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "tests/program/run_program.h"
 
@@ -18,7 +17,7 @@ using testing::Not;
 using testing::StartsWith;
 
 nlohmann::json advice(const Desk& desk, const Words& words) {
-    return nlohmann::json::parse(expect_done(desk, "advise --size 160x90 --json" + words));
+    return expect_json(desk, "advise --size 160x90 --json" + words);
 }
 
 TEST(Advise, SaysInFiveLinesWhatToUse) {
@@ -119,10 +118,7 @@ TEST(Advise, RefusesWhatItCannotRead) {
     const Desk desk;
     for (const std::string have : {"", "depth", "normals", "mesh,fog", "deep,normals"})
         expect_refused(desk, Words{"advise", "cube", "--have", have}, {"--have", "mesh, or depth"});
-    expect_refused(desk, "advise missing.obj", "missing.obj");
-    expect_refused(desk, {"advise", desk.write("letter.obj", "Dear Anna,\n")}, "letter.obj");
-    expect_refused(desk, "advise cube -o a.jpg", "a.jpg");
-    expect_refused(desk, "advise cube -o nowhere/a.png", "nowhere");
+    expect_all_refused(desk, "advise cube -o", {{"a.jpg", "a.jpg"}, {"nowhere/a.png", "nowhere"}});
 }
 
 }  // namespace

@@ -18,10 +18,8 @@ namespace {
 
 /// One model file is refused by each command that takes one.
 void expect_model_refused(const Desk& desk, const std::string& model) {
-    expect_refused(desk, "compare --out out --size 64x36 " + model, model);
-    expect_refused(desk, "advise --size 64x36 " + model, model);
-    expect_refused(desk, "draw -o a.png --size 64x36 " + model, model);
-    expect_refused(desk, "truth -o a.png --size 64x36 " + model, model);
+    for (const Words command : {"compare --out out", "advise", "draw -o a.png", "truth -o a.png"})
+        expect_refused(desk, command + "--size 64x36" + Words{model}, model);
 }
 
 std::string random_bytes(std::size_t count) {
@@ -41,12 +39,9 @@ std::string stl_triangle(float x) {
     return stl + import::raw(std::uint16_t{0});
 }
 
-TEST(BadModel, Missing) {
-    expect_model_refused(Desk(), "missing.obj");
-}
-
-TEST(BadModel, AFolder) {
+TEST(BadModel, MissingOrAFolder) {
     const Desk desk;
+    expect_model_refused(desk, "missing.obj");
     std::filesystem::create_directory(desk.work() / "folder.obj");
     expect_model_refused(desk, "folder.obj");
 }
@@ -93,81 +88,37 @@ TEST(BadModel, OneAmongGoodOnesCostsNoWork) {
     expect_refused(desk, "compare good.obj missing.obj --out out", "missing.obj");
 }
 
-TEST(BadName, Command) {
-    expect_refused(Desk(), {"compair"}, "compair");
-    expect_refused(Desk(), "compair --out out", "compair");
-}
-
-TEST(BadName, Nothing) {
-    expect_refused(Desk(), {}, "command");
-}
-
-TEST(BadName, Option) {
-    for (const char* command : {"compare", "draw", "truth", "score", "list"})
-        expect_refused(Desk(), {command, "--no-such-option"}, "--");
-}
-
-TEST(BadName, Method) {
-    const Desk desk;
-    expect_refused(desk, "compare --methods mote9 --out out", "mote4");
-    expect_refused(desk, "compare --methods mote4,mote9 --out out", "mote9");
-    expect_refused(desk, "draw torus --methods mote9 -o a.png", "mote9");
-}
-
-TEST(BadName, Scene) {
-    const Desk desk;
-    expect_refused(desk, "compare --scenes torrus --out out", "torus");
-    expect_refused(desk, "draw torrus -o a.png", "torrus");
-    expect_refused(desk, "truth torrus -o a.png", "torrus");
-}
-
-TEST(BadName, Parameter) {
-    const Desk desk;
-    expect_refused(desk, "compare --set treshold=100 --out out", "threshold");
-    expect_refused(desk, "draw torus --methods mote4 --set nosuch=1 -o a.png", "nosuch");
-    expect_refused(desk, "compare --set threshold=9 torus", {"a scene stands before --set"});
-}
-
-TEST(BadName, NewMethod) {
-    expect_refused(
-        Desk(), "new-method Foo-Bar", {"inkbench: new-method: a method cannot be called"});
-}
-
-TEST(BadName, ListTopic) {
-    expect_refused(Desk(), {"list", "nonsense"}, "nonsense");
+TEST(BadName, OfAnything) {
+    expect_all_refused(Desk(),
+                       {},
+                       {{{}, "command"},
+                        {"compair --out out", "compair"},
+                        {"new-method Foo-Bar", {"inkbench: new-method: a method cannot be called"}},
+                        {"list nonsense", "nonsense"},
+                        {"compare --methods mote9 --out out", "mote4"},
+                        {"compare --methods mote4,mote9 --out out", "mote9"},
+                        {"draw torus --methods mote9 -o a.png", "mote9"},
+                        {"compare --scenes torrus --out out", "torus"},
+                        {"draw torrus -o a.png", "torrus"},
+                        {"truth torrus -o a.png", "torrus"},
+                        {"compare --set treshold=100 --out out", "threshold"},
+                        {"draw torus --methods mote4 --set nosuch=1 -o a.png", "nosuch"},
+                        {"compare --set threshold=9 torus", {"a scene stands before --set"}}});
 }
 
 TEST(BadValue, Parameter) {
     const Desk desk;
-    for (const char* setting : {"threshold=abc",
-                                "threshold=-5",
-                                "threshold=1e9",
-                                "threshold=nan",
-                                "threshold=",
-                                "threshold",
-                                "=5",
-                                ""}) {
+    for (const std::string& setting :
+         Words("threshold=abc threshold=-5 threshold=1e9 threshold=nan threshold= threshold =5") +
+             Words{""})
         expect_refused(desk, {"compare", "--set", setting, "--out", "out"}, "");
-    }
 }
 
 TEST(BadValue, Size) {
     const Desk desk;
-    for (const char* size : {"0x0",
-                             "0x100",
-                             "100x0",
-                             "100000x100000",
-                             "16385x16",
-                             "12x",
-                             "x12",
-                             "12",
-                             "-5x5",
-                             "5x-5",
-                             "1e3x5",
-                             "12x12x12",
-                             "axb",
-                             " 12x12",
-                             ""}) {
+    for (const std::string& size :
+         Words("0x0 0x100 100x0 100000x100000 16385x16 12x x12 12 -5x5 5x-5 1e3x5 12x12x12 axb") +
+             Words{" 12x12", ""}) {
         expect_refused(desk, {"compare", "--size", size, "--out", "out"}, "--size");
         expect_refused(desk, {"draw", "torus", "--size", size, "-o", "a.png"}, "--size");
         expect_refused(desk, {"truth", "torus", "--size", size, "-o", "a.png"}, "--size");

@@ -1,9 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
-
 #include "tests/program/run_program.h"
 
 // `inkbench bake`, as a user runs it.
@@ -52,23 +49,19 @@ TEST(BakeProgram, SaysOfWhichPoseItIs) {
     const Desk desk;
     Json moving = Json::parse(tetrahedron());
     const std::string data = "data:application/octet-stream;base64,";
+    moving.merge_patch(Json::parse(R"({"animations":[{"name":"fly",
+        "samplers":[{"input":2,"output":3}],
+        "channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}]})"));
     moving["buffers"].push_back({{"byteLength", 8}, {"uri", data + "AAAAAAAAAEA="}});
     moving["buffers"].push_back(
         {{"byteLength", 24}, {"uri", data + "AAAAAAAAAAAAAAAAAAAAQAAAAEAAAABA"}});
     moving["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 8}});
     moving["bufferViews"].push_back({{"buffer", 2}, {"byteLength", 24}});
-    moving["accessors"].push_back({{"bufferView", 2},
-                                   {"componentType", 5126},
-                                   {"count", 2},
-                                   {"type", "SCALAR"},
-                                   {"min", {0}},
-                                   {"max", {2}}});
-    moving["accessors"].push_back(
-        {{"bufferView", 3}, {"componentType", 5126}, {"count", 2}, {"type", "VEC3"}});
-    moving["animations"] = {
-        {{"name", "fly"},
-         {"samplers", {{{"input", 2}, {"output", 3}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    Json accessor = {{"bufferView", 3}, {"componentType", 5126}, {"count", 2}, {"type", "VEC3"}};
+    Json times = accessor;
+    times.update({{"bufferView", 2}, {"type", "SCALAR"}, {"min", {0}}, {"max", {2}}});
+    moving["accessors"].push_back(times);
+    moving["accessors"].push_back(accessor);
     desk.write("a.gltf", moving.dump());
     const auto pose = [&](const std::string& options) {
         const std::string said = expect_done(desk, "bake a.gltf -o b.gltf" + options);
@@ -123,28 +116,28 @@ TEST(BakeProgram, MakesGltfOfOtherFormats) {
 
 TEST(BakeProgram, RefusesWithOneLineAndLeavesNothing) {
     const Desk desk;
-    desk.write("a.gltf", tetrahedron());
+    Json whole = Json::parse(tetrahedron());
+    desk.write("a.gltf", whole.dump());
     desk.write("empty.glb", "");
     desk.write("none.gltf", R"({"asset":{"version":"2.0"}})");
-    std::string damaged = tetrahedron();
-    damaged.replace(damaged.find("\"count\":12"), 10, "\"count\":99");
-    desk.write("damaged.gltf", damaged);
-    std::string huge = tetrahedron();
-    huge.replace(huge.find("\"count\":4"), 9, "\"count\":4000000000");
-    desk.write("huge.gltf", huge);
-    expect_refused(desk, "bake empty.glb -o b.glb", {"empty.glb", "the file is empty"});
-    expect_refused(desk, "bake none.gltf -o b.glb", {"none.gltf", "no triangle"});
-    expect_refused(desk, "bake damaged.gltf -o b.glb", {"damaged.gltf", "accessor 1", "0..12"});
-    expect_refused(desk, "bake huge.gltf -o b.glb", {"huge.gltf", "accessor 0", "4000000000"});
-    expect_refused(desk, "bake missing.glb -o b.glb", {"missing.glb", "no such file"});
-    expect_refused(desk, "bake a.gltf -o b.obj", {"b.obj", ".glb", ".gltf"});
-    expect_refused(desk, "bake a.gltf -o no/b.glb", {"no/b.glb"});
-    expect_refused(desk, "bake a.gltf", {"--out"});
-    expect_refused(
-        desk, "bake a.gltf -o b.glb --codes ids", {"--codes", "ids", "surface8 | label8"});
-    expect_refused(desk, "bake a.gltf -o b.glb --channel uv2", {"--channel", "texcoord1"});
-    expect_refused(
-        desk, "bake a.gltf -o b.glb --crease-deg 200", {"--crease-deg", "200", "0..180"});
+    whole["accessors"][1]["count"] = 99;
+    desk.write("damaged.gltf", whole.dump());
+    whole["accessors"][1]["count"] = 12;
+    whole["accessors"][0]["count"] = 4000000000;
+    desk.write("huge.gltf", whole.dump());
+    expect_all_refused(desk,
+                       {"bake"},
+                       {{"empty.glb -o b.glb", {"empty.glb", "the file is empty"}},
+                        {"none.gltf -o b.glb", {"none.gltf", "no triangle"}},
+                        {"damaged.gltf -o b.glb", {"damaged.gltf", "accessor 1", "0..12"}},
+                        {"huge.gltf -o b.glb", {"huge.gltf", "accessor 0", "4000000000"}},
+                        {"missing.glb -o b.glb", {"missing.glb", "no such file"}},
+                        {"a.gltf -o b.obj", {"b.obj", ".glb", ".gltf"}},
+                        {"a.gltf -o no/b.glb", {"no/b.glb"}},
+                        {"a.gltf", {"--out"}},
+                        {"a.gltf -o b.glb --codes ids", {"--codes", "ids", "surface8 | label8"}},
+                        {"a.gltf -o b.glb --channel uv2", {"--channel", "texcoord1"}},
+                        {"a.gltf -o b.glb --crease-deg 200", {"--crease-deg", "200", "0..180"}}});
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <set>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 namespace ink::program {
@@ -30,7 +29,7 @@ TEST(CompareCancellation, WritesCountsOfMethodsThatDeclareACodeAndTheSection) {
         EXPECT_LE(std::stoi(line.at("measured_false_negatives")), measured);
     }
     EXPECT_EQ(classes, (std::set<std::string>{"contour", "crease"}));
-    EXPECT_EQ(page_table(desk.read("out/report.html"), "cancellation.csv")["lines"],
+    EXPECT_EQ(page_table(desk, "out", "cancellation.csv")["lines"],
               parse_csv(desk.read("out/cancellation.csv")).size());
 }
 

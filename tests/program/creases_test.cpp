@@ -55,27 +55,23 @@ TEST(Creases, AreInEveryRow) {
     const Desk desk;
     expect_done(desk, "export cube --size 96x54 -o cube --truth none");
     expect_done(desk, fmt::format("bake {} -o marked.glb --edges", exported_glb(desk, "cube")));
-    const std::string common =
-        "compare --scenes marked.glb --methods ids --views 1 --size 160x90 --no-times "
-        "--no-crosscheck --quiet --out ";
-    expect_done(desk, common + "by_file --creases file");
-    expect_done(desk, common + "by_angle");
-    for (const auto& row : table_of_run(desk, "by_file", "rows.csv"))
-        EXPECT_EQ(row.at("creases"), "file");
-    for (const auto& row : table_of_run(desk, "by_angle", "rows.csv"))
-        EXPECT_EQ(row.at("creases"), "angle");
+    for (const std::string creases : {"file", "angle"}) {
+        expect_done(desk,
+                    "compare --scenes marked.glb --methods ids --views 1 --size 160x90 --no-times "
+                    "--no-crosscheck --quiet --force --out out --creases " +
+                        creases);
+        for (const auto& row : rows_of(desk))
+            EXPECT_EQ(row.at("creases"), creases);
+    }
 }
 
-TEST(Creases, OfAFileThatMarksNoneAreRefused) {
-    const Desk desk;
-    expect_refused(desk,
-                   "truth cube --creases file -o a.png",
-                   {"cube", "it marks no edges", "EXT_mesh_primitive_edge_visibility"});
-    expect_refused(desk, "compare --scenes cube --creases file --out out", {"it marks no edges"});
-}
-
-TEST(Creases, OtherWordsAreRefused) {
-    expect_refused(Desk(), "truth cube --creases edges -o a.png", {"edges", "angle", "file"});
+TEST(Creases, OfAFileThatMarksNoneAndOtherWordsAreRefused) {
+    expect_all_refused(Desk(),
+                       {},
+                       {{"truth cube --creases file -o a.png",
+                         {"cube", "it marks no edges", "EXT_mesh_primitive_edge_visibility"}},
+                        {"compare --scenes cube --creases file --out out", {"it marks no edges"}},
+                        {"truth cube --creases edges -o a.png", {"edges", "angle", "file"}}});
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/program/run_program.h"
 
 // Two runs beside each other, as a user compares them.
@@ -44,9 +42,7 @@ TEST(Diff, FindsAPlantedThresholdAndNothingInARunAndItself) {
 }
 
 TEST(Diff, RefusesFoldersWithoutARun) {
-    const Desk desk;
-    EXPECT_THAT(refusal(desk, "diff nowhere nowhere"),
-                AllOf(HasSubstr("nowhere"), HasSubstr("there is no run in it")));
+    expect_refused(Desk(), "diff nowhere nowhere", {"nowhere", "there is no run in it"});
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 // Methods from outside, as a user brings them.
@@ -59,8 +57,7 @@ TEST(Entrant, TheReadmesTenLinesOfPythonTakePart) {
                                 "mine={} --no-sweep --no-crosscheck --out out",
                                 program)),
         AllOf(HasSubstr("mine +"), HasSubstr("by their own clock")));
-    for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
-        if (row.at("method") != "mine") continue;
+    for (const auto& row : only(rows_of(desk), "mine")) {
         EXPECT_EQ(row.at("status"), "ok");
         EXPECT_EQ(row.at("clock"), "children");
         EXPECT_GT(std::stod(row.at("f_2px")), 0.5);
@@ -110,7 +107,7 @@ TEST(Export, ImagesDrawnFromItComeBackAsAFolder) {
                 "compare --scenes cube,teapot --methods ids --size 96x54 --entrant "
                 "mine=mine --no-sweep --no-crosscheck --out out");
     std::map<std::string, std::string> f;
-    for (const auto& row : parse_csv(desk.read("out/rows.csv")))
+    for (const auto& row : rows_of(desk))
         f[row.at("method")] += row.at("f_2px") + " ";
     EXPECT_EQ(f.at("mine"), f.at("ids")) << "the same images, the same scores";
 }
@@ -119,8 +116,7 @@ TEST(Export, ModelsReadBackTheSame) {
     const Desk desk;
     expect_done(desk, "export blocks --size 96x54 -o views --truth none");
     const auto triangles = [&](const std::string& scene) {
-        return nlohmann::json::parse(
-            desk.run(fmt::format("explain {} --json", scene)).out)["statistics"]["triangles"];
+        return expect_json(desk, "explain --json " + scene)["statistics"]["triangles"];
     };
     EXPECT_EQ(triangles("views/blocks/mesh.obj"), triangles("blocks"));
     EXPECT_EQ(triangles("views/blocks/mesh.glb"), triangles("blocks"));

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/program/run_program.h"
 
 // `inkbench explain` as a user runs it.
@@ -21,7 +19,7 @@ TEST(Explain, PrintsTheSceneStatisticsAndWhatAutoChose) {
 }
 
 TEST(Explain, JsonHoldsTheSame) {
-    const auto json = nlohmann::json::parse(expect_done(Desk(), "explain cube --json"));
+    const auto json = expect_json(Desk(), "explain cube --json");
     EXPECT_EQ(json.at("scene"), "cube");
     EXPECT_EQ(json.at("statistics").at("triangles"), 36);  // three cubes
     EXPECT_EQ(json.at("statistics").at("creases"), 36);
@@ -38,9 +36,8 @@ TEST(Explain, ShowsTheCamerasThatFramingMakes) {
                "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
                "o right\nv 10 0 0\nv 11 0 0\nv 10 1 0\nf 4 5 6\n");
     const auto eye = [&](const std::string& framing) {
-        const std::string out =
-            expect_done(desk, "explain two.obj --json --methods ids " + framing);
-        return nlohmann::json::parse(out).at("place").at("cameras").at("view0").at("eye");
+        const auto json = expect_json(desk, "explain two.obj --json --methods ids " + framing);
+        return json.at("place").at("cameras").at("view0").at("eye");
     };
     const auto usual = eye("");
     EXPECT_EQ(eye("--fit sphere"), usual);
@@ -53,14 +50,13 @@ TEST(Explain, ShowsTheCamerasThatFramingMakes) {
 TEST(Explain, RefusesFramingThatMeansNothing) {
     const Desk desk;
     desk.write("one.obj", "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const auto framed = [&](const std::string& framing) {
-        return refusal(desk, "explain one.obj " + framing);
-    };
-    EXPECT_THAT(framed("--fit fog"), AllOf(HasSubstr("'fog'"), HasSubstr("sphere, box")));
-    EXPECT_THAT(framed("--margin 0.1"), HasSubstr("--fit box"));
-    EXPECT_THAT(framed("--fit box --margin 0.5"), HasSubstr("0..0.45"));
-    EXPECT_THAT(framed("--fit box --eye 1,2,3"), HasSubstr("nothing to frame"));
-    EXPECT_THAT(framed("--object right"), AllOf(HasSubstr("'right'"), HasSubstr("left")));
+    expect_all_refused(desk,
+                       "explain one.obj",
+                       {{"--fit fog", {"'fog'", "sphere, box"}},
+                        {"--margin 0.1", {"--fit box"}},
+                        {"--fit box --margin 0.5", "0..0.45"},
+                        {"--fit box --eye 1,2,3", {"nothing to frame"}},
+                        {"--object right", "'right' left"}});
 }
 
 TEST(Explain, TellsWhereACameraWouldStand) {
@@ -78,7 +74,7 @@ TEST(Explain, TellsWhereACameraWouldStand) {
     const Words camera = out.substr(begin, out.find('\n', begin) - begin);
     ASSERT_EQ(camera.size(), 8U);
     EXPECT_EQ(draw(camera, "a.png"), draw({"--views", "2"}, "b.png"));
-    const auto json = nlohmann::json::parse(desk.run("explain box.obj --json").out);
+    const auto json = expect_json(desk, "explain box.obj --json");
     EXPECT_EQ(json.at("place").at("box").at("high"), nlohmann::json({3, 2, 5}));
     EXPECT_EQ(json.at("place").at("cameras").size(), 3U);
 }
@@ -91,7 +87,7 @@ TEST(Explain, ModelFarOutIsDrawnAsTheSameModelNearZero) {
                "v 691000.01 0 5335000\nv 691001 0.02 5335000\nv 691000 1 5335000.03\n"
                "v 691000 0 5335001\n" +
                    faces);
-    const auto json = nlohmann::json::parse(desk.run("explain far.obj --json --views 1").out);
+    const auto json = expect_json(desk, "explain far.obj --json --views 1");
     EXPECT_EQ(json.at("place").at("origin"), nlohmann::json({691001, 0, 5335001}));
     EXPECT_NEAR(json.at("place").at("box").at("high").at(0).get<double>(), 691001, 1e-6);
     EXPECT_THAT(expect_done(desk, "explain far.obj --views 1"),
@@ -108,21 +104,12 @@ TEST(Explain, ModelFarOutIsDrawnAsTheSameModelNearZero) {
               draw("near.obj", "3,2,4", "0,0,0"));
 }
 
-TEST(Explain, ExplainsAModelFileToo) {
-    const Desk desk;
-    desk.write("one.obj", kTriangleObj);
-    const std::string out = expect_done(desk, "explain one.obj --json --methods auto");
-    EXPECT_EQ(nlohmann::json::parse(out).at("statistics").at("boundary"), 3);
-}
-
-TEST(Explain, AnUnknownSceneIsAnErrorThatNamesTheKnownOnes) {
-    EXPECT_THAT(refusal(Desk(), {"explain", "cubes"}),
-                AllOf(HasSubstr("torus"), HasSubstr("did you mean cube?")));
-}
-
-TEST(Explain, AnUnknownMethodAndABadAngleAreErrors) {
-    refusal(Desk(), "explain cube --methods mote5");
-    refusal(Desk(), "explain cube --crease 181");
+TEST(Explain, UnknownNamesAndABadAngleAreErrors) {
+    expect_all_refused(Desk(),
+                       "explain",
+                       {{"cubes", {"torus", "did you mean cube?"}},
+                        {"cube --methods mote5", "mote5"},
+                        {"cube --crease 181", "181"}});
 }
 
 }  // namespace

@@ -59,26 +59,27 @@ TEST(Figures, OfScenesAndMethodsMakeTheRunFirst) {
 
 TEST(Figures, BadInputIsRefusedBeforeAnyWork) {
     const Desk desk;
-    const auto refused = [&](const std::string& more) { return refusal(desk, "figures " + more); };
-    EXPECT_THAT(refused("--scenes nowhere"), HasSubstr("nowhere"));
-    EXPECT_THAT(refused("--repetitions 0"), HasSubstr("--repetitions"));
-    EXPECT_THAT(refused("cube --width 84"), AllOf(HasSubstr("--width"), HasSubstr("84mm")));
-    EXPECT_THAT(refused("cube --format eps"), HasSubstr("pdf, svg, png"));
-    EXPECT_THAT(refused("cube --window 1,2,3"), HasSubstr("--window"));
     std::filesystem::create_directories(desk.work() / "empty");
-    EXPECT_THAT(refused("empty"), HasSubstr("empty: it holds no rows.csv"));
-    EXPECT_THAT(refused("empty --size 64x36"), HasSubstr("--size: the run is made already"));
-    EXPECT_THAT(refused("empty cube"), HasSubstr("'cube' is no folder"));
+    expect_all_refused(desk,
+                       "figures",
+                       {{"--scenes nowhere", "nowhere"},
+                        {"--repetitions 0", "--repetitions"},
+                        {"cube --width 84", "--width 84mm"},
+                        {"cube --format eps", {"pdf, svg, png"}},
+                        {"cube --window 1,2,3", "--window"},
+                        {"empty", {"empty: it holds no rows.csv"}},
+                        {"empty --size 64x36", {"--size: the run is made already"}},
+                        {"empty cube", {"'cube' is no folder"}}});
 }
 
 TEST(Figures, WithoutPythonSayWhatToInstall) {
     const Desk desk;
     const Variable python("INKBENCH_PYTHON", "/nonexistent");
-    for (const char* words : {"figures cube --size 64x36", "figures ."}) {
-        EXPECT_THAT(refusal(desk, words),
-                    AllOf(HasSubstr("/nonexistent: it cannot be started"),
-                          HasSubstr("apt-get install python3 python3-pandas python3-matplotlib")));
-    }
+    for (const char* words : {"figures cube --size 64x36", "figures ."})
+        expect_refused(desk,
+                       words,
+                       {"/nonexistent: it cannot be started",
+                        "apt-get install python3 python3-pandas python3-matplotlib"});
 }
 
 TEST(Figures, WithoutPandasSayWhatToInstall) {

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/program/run_program.h"
@@ -11,7 +10,6 @@
 namespace ink::program {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(GreyLines, OfAnyImageAreScoredAgainstAFileOrAModel) {
@@ -47,12 +45,11 @@ TEST(GreyLines, NeedATruthThatSaysWhatItCovers) {
     expect_done(desk, "truth cube --size 96x54 -o truth.png");
     expect_done(desk, "truth cube --size 96x54 -o truth.exr");
     expect_done(desk, "draw cube --methods ids --size 96x54 -o drawn.png");
-    EXPECT_THAT(refusal(desk, "score drawn.png truth.png --coverage"),
-                AllOf(HasSubstr("truth.png"), HasSubstr("--model MODEL")));
-    EXPECT_THAT(refusal(desk, "score drawn.png truth.exr --coverage --line-width 2"),
-                AllOf(HasSubstr("1.5 px wide, not 2"), HasSubstr("--model MODEL")));
-    EXPECT_THAT(refusal(desk, "score drawn.png --model cube --coverage --line-width 9"),
-                HasSubstr("0.25..4"));
+    expect_all_refused(desk,
+                       "score drawn.png --coverage",
+                       {{"truth.png", {"truth.png", "--model MODEL"}},
+                        {"truth.exr --line-width 2", {"1.5 px wide, not 2", "--model MODEL"}},
+                        {"--model cube --line-width 9", "0.25..4"}});
 }
 
 TEST(GreyLines, AreMethodsOfTheirOwnInAComparison) {
@@ -61,7 +58,7 @@ TEST(GreyLines, AreMethodsOfTheirOwnInAComparison) {
                 "compare --scenes torus --methods id_lookup,mote4 --size 320x180 --quick --out out "
                 "--images none --coverage --line-width 2 --antialias none,resolve4");
     std::map<std::string, std::map<std::string, std::string>> rows;
-    for (const auto& row : parse_csv(desk.read("out/rows.csv")))
+    for (const auto& row : rows_of(desk))
         rows[row.at("method")] = row;
     const auto number = [&](const std::string& method, const char* column) {
         return std::stod(rows.at(method).at(column));
@@ -82,13 +79,12 @@ TEST(GreyLines, AreMethodsOfTheirOwnInAComparison) {
 }
 
 TEST(GreyLines, RefuseWhatCannotBeDrawn) {
-    const Desk desk;
-    EXPECT_THAT(refusal(desk, "compare --antialias resolve9 --out out"),
-                AllOf(HasSubstr("resolve9"), HasSubstr("resolve16")));
-    EXPECT_THAT(refusal(desk, "compare --line-width 0 --out out"), HasSubstr("0.25..4"));
-    EXPECT_THAT(
-        refusal(desk, "compare --antialias resolve16 --scenes cube --size 8000x100 --out out"),
-        AllOf(HasSubstr("--antialias"), HasSubstr("too large")));
+    expect_all_refused(
+        Desk(),
+        "compare --out out",
+        {{"--antialias resolve9", "resolve9 resolve16"},
+         {"--line-width 0", "0.25..4"},
+         {"--antialias resolve16 --scenes cube --size 8000x100", {"--antialias", "too large"}}});
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 namespace ink::program {
@@ -40,7 +39,7 @@ TEST(Hardest, WritesRowsOfTheWorstViewsAndAPage) {
     for (const auto& look : looks)
         if (!look.at("rank").empty()) kept.push_back(look);
     ASSERT_FALSE(kept.empty());
-    const Table rows = parse_csv(desk.read("out/rows.csv"));
+    const Table rows = rows_of(desk);
     EXPECT_EQ(rows.size(), kept.size() * 6) << "two methods and four baselines";
     for (const auto& look : kept) {
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
@@ -55,7 +54,7 @@ TEST(Hardest, WritesRowsOfTheWorstViewsAndAPage) {
     }
     EXPECT_THAT(out, HasSubstr("F least"));
     EXPECT_FALSE(std::filesystem::exists(desk.work() / "out/verdict.md"));
-    EXPECT_EQ(page_table(desk.read("out/report.html"), "hardest.csv")["lines"], looks.size());
+    EXPECT_EQ(page_table(desk, "out", "hardest.csv")["lines"], looks.size());
 }
 
 TEST(Hardest, TheViewCanBeDrawnByWhatIsPrinted) {
@@ -73,11 +72,8 @@ TEST(Hardest, TheViewCanBeDrawnByWhatIsPrinted) {
     std::string f;
     for (const auto& look : parse_csv(desk.read("out/hardest.csv")))
         if (look.at("rank") == "1") f = look.at("f_2px");
-    for (const auto& row : parse_csv(desk.read("again/rows.csv"))) {
-        if (row.at("method") == "mote4") {
-            EXPECT_EQ(row.at("f_2px"), f);
-        }
-    }
+    for (const auto& row : only(rows_of(desk, "again"), "mote4"))
+        EXPECT_EQ(row.at("f_2px"), f);
 }
 
 TEST(Hardest, KilledAndStartedAgainItComesToTheSameBytesOnAnyLanes) {
@@ -99,21 +95,21 @@ TEST(Hardest, KilledAndStartedAgainItComesToTheSameBytesOnAnyLanes) {
 
 TEST(Hardest, RefusesWhatItCannotSearch) {
     const Desk desk;
-    expect_refused(desk, "stress --hardest mote5 --scenes cube", {"--hardest", "mote5", "mote4"});
-    expect_refused(desk, "stress --hardest mote4", {"--scenes", "no scene"});
-    expect_refused(desk, "stress --hardest mote4 --scenes cubb", {"--scenes", "cubb", "cube"});
-    expect_refused(
-        desk, "stress --hardest mote4 --against mote4 --scenes cube", {"cannot lose to itself"});
-    expect_refused(desk, "stress --hardest mote4 --against x --scenes cube", {"--against", "x"});
-    expect_refused(
-        desk, "stress --hardest mote4 --evaluations 0 --scenes cube", {"--evaluations", "0"});
-    expect_refused(desk, "stress --hardest mote4 --worst 0 --scenes cube", {"--worst", "0"});
-    expect_refused(
-        desk, "stress --hardest mote4 --least-truth 0 --scenes cube", {"--least-truth", "0"});
-    expect_refused(
-        desk, "stress --hardest mote4 --axes grazing --scenes cube", {"--axes", "--hardest"});
-    expect_refused(desk, "stress --against mote4", {"--against", "--hardest"});
-    expect_refused(desk, "stress cube", {"--scenes", "--hardest"});
+    expect_all_refused(desk,
+                       "stress --hardest mote4 --scenes cube",
+                       {{"--scenes cubb", "--scenes cubb cube"},
+                        {"--against mote4", {"cannot lose to itself"}},
+                        {"--against x", "--against x"},
+                        {"--evaluations 0", "--evaluations 0"},
+                        {"--worst 0", "--worst 0"},
+                        {"--least-truth 0", "--least-truth 0"},
+                        {"--axes grazing", "--axes --hardest"}});
+    expect_all_refused(desk,
+                       "stress",
+                       {{"--hardest mote5 --scenes cube", "--hardest mote5 mote4"},
+                        {"--hardest mote4", {"--scenes", "no scene"}},
+                        {"--against mote4", "--against --hardest"},
+                        {"cube", "--scenes --hardest"}});
     EXPECT_THAT(expect_done(desk, "stress --help"), HasSubstr("1.05 to 6 radii"));
 }
 

@@ -64,15 +64,22 @@ TEST(Help, ShowsDefaults) {
 }
 
 TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
-    const std::string compare = expect_done({"compare", "--help"});
-    for (const std::string& option : Words("--size --out --methods --scenes --set --threads --seed "
-                                           "--views --eye --target --up --fov --parallel "
-                                           "--projection"))
-        EXPECT_THAT(compare, HasSubstr(option));
-    EXPECT_THAT(expect_done({"draw", "--help"}), HasSubstr("-o"));
-    const std::string score = expect_done({"score", "--help"});
-    for (const char* option : {"--tol", "--threshold", "--no-thin", "--band", "--ignore", "--json"})
-        EXPECT_THAT(score, HasSubstr(option));
+    const std::pair<const char*, Words> named[] = {
+        {"compare",
+         "--size --methods --scenes --set --threads --seed --views --eye --target --up --fov "
+         "--parallel --projection"},
+        {"draw",
+         "-o --shading --set-shade --lights --ink --paper --surface --line-width --hand-drawn "
+         "--set-hand --seed --antialias --dither none|gouraud|toon|gooch|strokes"},
+        {"score", "--tol --threshold --no-thin --band --ignore --json"}};
+    for (const auto& [command, options] : named)
+        for (const std::string& option : options)
+            EXPECT_THAT(expect_done({command, "--help"}), HasSubstr(option)) << command;
+    for (const std::string& command : Words("compare figures timedemo tune stress run merge"))
+        EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-o,--out DIR")) << command;
+    for (const std::string& command :
+         Words("compare advise truth figures timedemo tune stress run"))
+        EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-q,--quiet")) << command;
 }
 
 /// The names in the block "Arguments:" of a help text.
@@ -104,12 +111,6 @@ TEST(Help, CallsNoArgumentLikeAnOption) {
     EXPECT_GT(count, 10U);
     EXPECT_THAT(expect_done({"tune", "--help"}),
                 AllOf(HasSubstr("\n  METHOD  "), HasSubstr("\n  SCENES ...  ")));
-}
-
-TEST(Help, LongWorkCanBeQuiet) {
-    for (const char* command :
-         {"compare", "advise", "truth", "figures", "timedemo", "tune", "stress", "run"})
-        EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-q,--quiet")) << command;
 }
 
 TEST(Complaint, EndsWithTheHelpOfItsCommand) {

@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 namespace ink::program {
@@ -26,12 +25,12 @@ TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
     }
     EXPECT_EQ(scenes, (std::set<std::string>{"cube", "figure", "gear", "torus", "tree"}));
 
-    EXPECT_GT(page_table(desk.read("out/report.html"), "motion.csv")["lines"], 0);
+    EXPECT_GT(page_table(desk, "out", "motion.csv")["lines"], 0);
 
     words.back() = "--force";
     expect_done(desk, words);
     EXPECT_EQ(desk.read("out/motion.csv"), "") << "an older one must not pass for this run's";
-    EXPECT_TRUE(page_table(desk.read("out/report.html"), "motion.csv").is_null());
+    EXPECT_TRUE(page_table(desk, "out", "motion.csv").is_null());
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/program/run_program.h"
 
 // Scenes, methods and folders are spelt alike in every command.
@@ -25,7 +23,7 @@ sizes = ["64x36"]
 /// The catalogue's scenes for which `is_wanted`, a,b.
 std::string scenes_that(const Desk& desk,
                         const std::function<bool(const nlohmann::json&)>& is_wanted) {
-    const auto all = nlohmann::json::parse(desk.run("list scenes --json").out);
+    const auto all = expect_json(desk, "list scenes --json");
     std::string list;
     for (const auto& scene : all.at("scenes"))
         if (is_wanted(scene)) list += scene.at("name").get<std::string>() + ",";
@@ -101,14 +99,11 @@ TEST(SceneOption, EveryCommandTakesBothWays) {
 }
 
 TEST(SceneOption, OfOneSceneSaysSoWhereThereAreMore) {
-    const Desk desk;
-    const std::vector<Words> commands = {
-        {"advise"}, {"draw", "-o", "a.png"}, {"truth"}, {"explain"}, {"timedemo"}};
-    for (Words command : commands) {
-        expect_refused(desk, command, {command[0], "the scene is missing"});
-        command.insert(command.end(), {"cube", "--scene", "torus"});
-        expect_refused(desk, command, {command[0], "one scene", "2: torus, cube"});
-    }
+    for (const Words command : {"advise", "draw -o a.png", "truth", "explain", "timedemo"})
+        expect_all_refused(Desk(),
+                           command,
+                           {{"", {command[0], "the scene is missing"}},
+                            {"cube --scene torus", {command[0], "one scene", "2: torus, cube"}}});
 }
 
 TEST(SceneOption, UnknownNamesListWhatThereIs) {
@@ -156,7 +151,7 @@ TEST(DemoOption, IsADozenScenesUnlessOthersAreNamed) {
     const std::string plan = expect_done(desk, "compare --demo --dry-run");
     EXPECT_THAT(plan, HasSubstr(" in 12 blocks"));
     expect_done(desk, "compare --demo --scenes cube --methods ids --size 64x36");
-    const Table rows = parse_csv(desk.read("inkbench-out/demo/rows.csv"));
+    const Table rows = rows_of(desk, "inkbench-out/demo");
     EXPECT_EQ(rows.size(), 5U);  // with four baselines
     EXPECT_EQ(rows.at(0).at("scene"), "cube");
 }
@@ -168,8 +163,6 @@ TEST(OutOption, IsSpeltTwoWaysEverywhere) {
     expect_done(desk, compare + "-o c");
     EXPECT_EQ(desk.read("a/b/rows.csv"), desk.read("c/rows.csv"));
     EXPECT_NE(desk.read("c/rows.csv"), "");
-    for (const char* command : {"compare", "figures", "timedemo", "tune", "stress", "run", "merge"})
-        EXPECT_THAT(desk.run({command, "--help"}).out, HasSubstr("-o,--out DIR")) << command;
 }
 
 TEST(RecordedCommand, CanBePastedIntoAShell) {

@@ -179,6 +179,10 @@ std::string expect_done(const Desk& desk, const Words& words) {
     return outcome.out;
 }
 
+nlohmann::json expect_json(const Desk& desk, const Words& words) {
+    return nlohmann::json::parse(expect_done(desk, words));
+}
+
 std::string refusal(const Desk& desk, const Words& words) {
     SCOPED_TRACE("inkbench " + testing::PrintToString(words));
     const auto before = desk.inventory();
@@ -195,6 +199,11 @@ void expect_refused(const Desk& desk, const Words& words, const Words& parts) {
     const std::string line = refusal(desk, words);
     for (const std::string& part : parts)
         EXPECT_NE(line.find(part), line.npos) << "no '" << part << "' in: " << line;
+}
+
+void expect_all_refused(const Desk& desk, const Words& begin, const std::vector<Wrong>& wrong) {
+    for (const auto& [words, parts] : wrong)
+        expect_refused(desk, begin + words, parts);
 }
 
 Table parse_csv(const std::string& text) {
@@ -214,18 +223,36 @@ Table parse_csv(const std::string& text) {
     return table;
 }
 
+Table rows_of(const Desk& desk, const std::string& folder) {
+    return parse_csv(desk.read(folder + "/rows.csv"));
+}
+
+Table only(Table rows, const std::string& method) {
+    std::erase_if(rows, [&](const auto& row) { return row.at("method") != method; });
+    return rows;
+}
+
+nlohmann::json page_data(const std::string& page) {
+    const std::string open = "<script type=\"application/json\" id=\"data\">";
+    const std::size_t begin = page.find(open) + open.size();
+    return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+nlohmann::json page_table(const Desk& desk, const std::string& folder, const std::string& name) {
+    const auto data = page_data(desk.read(folder + "/report.html"));
+    return data["runs"][0]["tables"].value(name, nlohmann::json());
+}
+
 Table rows_of_study(const Desk& desk, const std::string& study) {
-    Table rows = parse_csv(desk.read("out/rows.csv"));
+    Table rows = rows_of(desk);
     std::erase_if(rows, [&](const auto& row) { return row.at("study") != study; });
     return rows;
 }
 
 Table table_of_run(const Desk& desk, const std::string& folder, const std::string& name) {
     std::map<std::string, std::map<std::string, std::string>> cells;
-    for (auto& row : parse_csv(desk.read(folder + "/rows.csv"))) {
-        const std::string cell = row.at("cell");
-        cells.emplace(cell, std::move(row));
-    }
+    for (const auto& row : rows_of(desk, folder))
+        cells.emplace(row.at("cell"), row);
     Table table = parse_csv(desk.read(folder + "/" + name));
     for (auto& line : table) {
         const auto found = cells.find(line.at("cell"));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -78,12 +79,23 @@ class Desk {
 /// Runs it and expects success without a word on stderr but progress; what it printed.
 std::string expect_done(const Desk& desk, const Words& words);
 
+/// The same of a command that prints JSON.
+nlohmann::json expect_json(const Desk& desk, const Words& words);
+
 /// Runs it and expects what every wrong command line gives: exit code 2, nothing printed, nothing
 /// left behind, and one line on stderr, which is returned.
 std::string refusal(const Desk& desk, const Words& words);
 
 /// The same; the line must name all of `parts`.
 void expect_refused(const Desk& desk, const Words& words, const Words& parts);
+
+/// A wrong command line, or the end of one, and what the line about it must name.
+struct Wrong {
+    Words words;
+    Words parts;
+};
+/// Each of them behind `begin`.
+void expect_all_refused(const Desk& desk, const Words& begin, const std::vector<Wrong>& wrong);
 
 /// Every command.
 inline constexpr const char* kCommands[] = {
@@ -101,6 +113,21 @@ inline constexpr const char* kTriangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\
 /// The rows of a CSV file (RFC 4180), each from column to field.
 using Table = std::vector<std::map<std::string, std::string>>;
 [[nodiscard]] Table parse_csv(const std::string& text);
+
+/// rows.csv of the run in `folder`.
+[[nodiscard]] Table rows_of(const Desk& desk, const std::string& folder = "out");
+
+/// The rows of one method.
+[[nodiscard]] Table only(Table rows, const std::string& method);
+
+/// What a page of `inkbench report` shows: the JSON that its scripts read. A test fails by the
+/// exception where the page holds none.
+[[nodiscard]] nlohmann::json page_data(const std::string& page);
+
+/// The table of that name of the first run of the page in `folder`; null if it has none.
+[[nodiscard]] nlohmann::json page_table(const Desk& desk,
+                                        const std::string& folder,
+                                        const std::string& name);
 
 /// The rows of a study in rows.csv of the run in `out`.
 [[nodiscard]] Table rows_of_study(const Desk& desk, const std::string& study);

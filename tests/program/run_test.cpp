@@ -7,7 +7,6 @@
 #include <random>
 #include <set>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 // Experiments as a user runs them: killed, resumed, shared out, interrupted.
@@ -60,7 +59,7 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
     // sweep on each view.
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 96 cells in 16 blocks"), HasSubstr("about")));
     EXPECT_THAT(outcome.out, HasSubstr("report.html"));
-    const Table rows = parse_csv(desk.read("inkbench-out/tiny/rows.csv"));
+    const Table rows = rows_of(desk, "inkbench-out/tiny");
     EXPECT_EQ(rows.size(), 56U);
     EXPECT_EQ(parse_csv(desk.read("inkbench-out/tiny/sweep.csv")).size(), 48U);
     for (const auto& row : rows) {
@@ -205,15 +204,16 @@ TEST(Run, RefusesBadInputWithOneLineAndExitTwo) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
     desk.write("bad.toml", "name = \"bad\"\nkind = \"compare\"\n[grid]\nscenes = [\"cubes\"]\n");
-    expect_refused(desk, "run bad.toml", "bad.toml:4");
-    expect_refused(desk, "run nothing.toml", "nothing.toml");
-    expect_refused(desk, "run tiny.toml --shard 4/3", "--shard");
-    expect_refused(desk, "run tiny.toml --size big", "--size");
-    expect_refused(desk, "run tiny.toml --methods mote5", "mote5");
-    expect_refused(desk, "merge nowhere -o merged", "nowhere");
     desk.write("file", "");
-    expect_refused(desk, "run tiny.toml --out file/x", "file/x");
-    EXPECT_FALSE(desk.inventory().contains("inkbench-out"));
+    expect_all_refused(desk,
+                       "run",
+                       {{"bad.toml", "bad.toml:4"},
+                        {"nothing.toml", "nothing.toml"},
+                        {"tiny.toml --shard 4/3", "--shard"},
+                        {"tiny.toml --size big", "--size"},
+                        {"tiny.toml --methods mote5", "mote5"},
+                        {"tiny.toml --out file/x", "file/x"}});
+    expect_refused(desk, "merge nowhere -o merged", "nowhere");
 
     expect_done(desk, "run tiny.toml --scenes cube --views 1");
     expect_refused(desk, "run tiny.toml", {"another run"});

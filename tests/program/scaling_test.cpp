@@ -3,7 +3,6 @@
 #include <map>
 #include <set>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 namespace ink::program {
@@ -28,13 +27,13 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     EXPECT_EQ(*places["pixels"].rbegin(), 7680 * 4320);
     EXPECT_LT(*places["triangles"].begin(), 200);
     EXPECT_GE(*places["triangles"].rbegin(), 1e6);
-    EXPECT_EQ(page_table(desk.read("out/report.html"), "axes.csv")["lines"], 3);
+    EXPECT_EQ(page_table(desk, "out", "axes.csv")["lines"], 3);
 
     words.back() = "--force";
     expect_done(desk, words);
     EXPECT_TRUE(rows_of_study(desk, "scaling").empty());
     EXPECT_EQ(desk.read("out/axes.csv"), "") << "an older one must not pass for this run's";
-    EXPECT_TRUE(page_table(desk.read("out/report.html"), "axes.csv").is_null());
+    EXPECT_TRUE(page_table(desk, "out", "axes.csv").is_null());
 }
 
 TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
@@ -58,8 +57,7 @@ TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
     EXPECT_GT(methods.size(), 10U);
     for (const char* baseline : {"none", "sampled", "exact_corner", "oracle"})
         EXPECT_FALSE(methods.contains(baseline)) << "it does no work";
-    EXPECT_EQ(page_table(desk.read("out/report.html"), "cost_fit.csv")["lines"], 7)
-        << "a price a kind of work";
+    EXPECT_EQ(page_table(desk, "out", "cost_fit.csv")["lines"], 7) << "a price a kind of work";
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "tests/program/run_program.h"
 
@@ -23,7 +22,7 @@ TEST(Score, TheProgramsOwnDrawingAgainstItsTruthNeedsNoOption) {
     EXPECT_THAT(scored, HasSubstr("1 contour"));
     EXPECT_THAT(desk.read("errors.png"), StartsWith("\x89PNG"));
     EXPECT_THAT(desk.read("s.csv"), HasSubstr("drawn.png,ok,"));
-    const auto json = nlohmann::json::parse(desk.run("score drawn.png truth.exr --json").out);
+    const auto json = expect_json(desk, "score drawn.png truth.exr --json");
     EXPECT_GT(json["f"], 0.9);
     EXPECT_EQ(json["polarity"], "dark");
     EXPECT_EQ(json["band"], 6);
@@ -36,11 +35,12 @@ TEST(Score, TheProgramsOwnDrawingAgainstItsTruthNeedsNoOption) {
 
 TEST(Score, FoldersGiveALineEachAndTellWhatIsMissing) {
     const Desk desk;
-    std::filesystem::create_directories(desk.work() / "truths");
-    std::filesystem::create_directories(desk.work() / "drawn");
-    expect_done(desk, "truth cube --size 96x54 -o truths/cube.exr");
-    expect_done(desk, "truth torus --size 96x54 -o truths/torus.exr");
-    expect_done(desk, "draw cube --methods ids --size 96x54 -o drawn/cube.png");
+    for (const char* folder : {"truths", "drawn"})
+        std::filesystem::create_directories(desk.work() / folder);
+    for (const char* work : {"truth cube -o truths/cube.exr",
+                             "truth torus -o truths/torus.exr",
+                             "draw cube --methods ids -o drawn/cube.png"})
+        expect_done(desk, work + Words("--size 96x54"));
     const Outcome outcome = desk.run("score drawn truths --picture errors --markdown s.md");
     EXPECT_EQ(outcome.exit_code, 3) << "one has no score";
     EXPECT_THAT(outcome.out, HasSubstr("cube"));
@@ -58,49 +58,40 @@ TEST(Score, FilesWithoutATruthAreNamed) {
     const Desk desk;
     for (const char* folder : {"truths", "drawn"})
         std::filesystem::create_directories(desk.work() / folder);
-    ASSERT_EQ(desk.run({"truth", "cube", "--size", "96x54", "-o", "truths/cube.png"}).exit_code, 0);
-    for (const char* name : {"drawn/cube.exr", "drawn/extra.png"})
-        ASSERT_EQ(desk.run({"draw", "cube", "--size", "96x54", "-o", name}).exit_code, 0);
-    const Outcome scored = desk.run({"score", "drawn", "truths", "--json"});
+    for (const char* work : {"truth cube -o truths/cube.png",
+                             "draw cube -o drawn/cube.exr",
+                             "draw cube -o drawn/extra.png"})
+        expect_done(desk, work + Words("--size 96x54"));
+    const Outcome scored = desk.run("score drawn truths --json");
     EXPECT_EQ(scored.exit_code, 0);
     EXPECT_THAT(scored.err, HasSubstr("truths has no truth for extra.png"));
     const auto json = nlohmann::json::parse(scored.out);
     EXPECT_EQ(json.at("unmatched"), nlohmann::json({"extra.png"}));
     EXPECT_EQ(json.at("images").at("cube").at("notes").size(), 1U);
-    EXPECT_THAT(desk.run({"score", "drawn", "truths"}).out,
+    EXPECT_THAT(desk.run("score drawn truths").out,
                 HasSubstr("read as float values as a screen shows them (sRGB): cube\n"));
 }
 
 TEST(Score, AModelIsTracedInTheSizeOfTheImage) {
     const Desk desk;
-    for (const char* truth : {"truth.exr", "truth.png"})
-        ASSERT_EQ(desk.run({"truth", "torus", "--size", "160x90", "-o", truth}).exit_code, 0);
-    for (const char* file : {"drawn.exr", "drawn.png"}) {
-        ASSERT_EQ(desk.run({"draw", "torus", "--method", "ids", "--size", "160x90", "-o", file})
-                      .exit_code,
-                  0);
-    }
-    const std::string expected = desk.run({"score", "drawn.png", "truth.exr", "--json"}).out;
-    EXPECT_EQ(desk.run({"score", "drawn.png", "truth.png", "--json"}).out, expected);
-    EXPECT_EQ(desk.run({"score", "drawn.png", "--model", "torus", "--json"}).out, expected);
-    const auto from_exr =
-        nlohmann::json::parse(desk.run({"score", "drawn.exr", "--model", "torus", "--json"}).out);
-    EXPECT_EQ(from_exr.at("f"), nlohmann::json::parse(expected).at("f"));
+    for (const char* work : {"truth torus -o truth.exr",
+                             "truth torus -o truth.png",
+                             "draw torus --method ids -o drawn.exr",
+                             "draw torus --method ids -o drawn.png"})
+        expect_done(desk, work + Words("--size 160x90"));
+    const auto expected = expect_json(desk, "score drawn.png truth.exr --json");
+    EXPECT_EQ(expect_json(desk, "score drawn.png truth.png --json"), expected);
+    EXPECT_EQ(expect_json(desk, "score drawn.png --model torus --json"), expected);
+    EXPECT_EQ(expect_json(desk, "score drawn.exr --model torus --json")["f"], expected["f"]);
     EXPECT_LT(std::filesystem::file_size(desk.work() / "truth.png"), 4000U);
-
-    const auto refusal = [&](const Words& words) {
-        const Outcome outcome = desk.run(words);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-        return outcome.err;
-    };
-    EXPECT_THAT(refusal({"score", "drawn.png", "--model", "torus", "--size", "64x36"}),
-                HasSubstr("inkbench score drawn.png --model torus"));
-    EXPECT_THAT(refusal({"score", "drawn.png", "truth.exr", "--model", "torus"}),
-                HasSubstr("there is a --model beside it"));
-    EXPECT_THAT(refusal({"score", "drawn.png"}), HasSubstr("truth: it is missing"));
-    EXPECT_THAT(refusal({"score", "drawn.png", "truth.exr", "--views", "3"}),
-                HasSubstr("--views requires --model"));
-    EXPECT_THAT(refusal({"score", ".", "--model", "torus"}), HasSubstr("one image"));
+    expect_all_refused(
+        desk,
+        "score",
+        {{"drawn.png --model torus --size 64x36", {"inkbench score drawn.png --model torus"}},
+         {"drawn.png truth.exr --model torus", {"there is a --model beside it"}},
+         {"drawn.png", {"truth: it is missing"}},
+         {"drawn.png truth.exr --views 3", {"--views requires --model"}},
+         {". --model torus", {"one image"}}});
 }
 
 /// A triangle and two cameras that see it.
@@ -120,35 +111,16 @@ constexpr const char* kTwoCameras = R"({
 TEST(Score, AModelFileIsSeenByItsOwnCameras) {
     const Desk desk;
     desk.write("scene.gltf", kTwoCameras);
-    ASSERT_EQ(desk.run({"draw",
-                        "scene.gltf",
-                        "--views",
-                        "file",
-                        "--view",
-                        "far",
-                        "--method",
-                        "ids",
-                        "--size",
-                        "160x90",
-                        "-o",
-                        "render.exr"})
-                  .exit_code,
-              0);
-    const auto f_of = [&](const std::string& view) {
-        const Outcome scored = desk.run({"score",
-                                         "render.exr",
-                                         "--model",
-                                         "scene.gltf",
-                                         "--views",
-                                         "file",
-                                         "--view",
-                                         view,
-                                         "--json"});
+    expect_done(desk,
+                "draw scene.gltf --views file --view far --method ids --size 160x90 -o render.exr");
+    const auto score = [&](const std::string& view) {
+        const Outcome scored =
+            desk.run("score render.exr --model scene.gltf --views file --json --view " + view);
         EXPECT_EQ(scored.exit_code, 0) << scored.err;
-        return nlohmann::json::parse(scored.out).at("f").get<double>();
+        return nlohmann::json::parse(scored.out);
     };
-    EXPECT_GT(f_of("far"), 0.9);
-    EXPECT_LT(f_of("near"), 0.5);
+    EXPECT_GT(score("far").at("f"), 0.9);
+    EXPECT_LT(score("near").at("f"), 0.5);
 }
 
 /// Pictures of drawn.png, dark lines on white, as they come from elsewhere.
@@ -187,15 +159,10 @@ TEST(Score, OfImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
     const Desk desk;
     if (desk.run_other("/usr/bin/python3", {"-c", "import numpy, PIL"}).exit_code != 0)
         GTEST_SKIP() << "needs /usr/bin/python3 with numpy and Pillow";
-    const Words view = "blocks --size 320x180";
-    const auto run = [&](const char* command, const Words& more) {
-        ASSERT_EQ(desk.run(command + view + more).exit_code, 0) << command;
-    };
-    run("truth", {"-o", "truth.png", "--intersections", "above_crease"});
-    run("draw", {"--method", "surface8", "-o", "drawn.png"});
-    run("draw", {"--method", "surface8", "-o", "float.exr"});
-    const Words large = "draw blocks --size 640x360 --method surface8 -o large.png";
-    ASSERT_EQ(desk.run(large).exit_code, 0);
+    expect_done(desk, "truth blocks --size 320x180 -o truth.png --intersections above_crease");
+    for (const char* file : {"drawn.png", "float.exr"})
+        expect_done(desk, Words("draw blocks --size 320x180 --method surface8 -o") + Words{file});
+    expect_done(desk, "draw blocks --size 640x360 --method surface8 -o large.png");
     desk.write("images.py", kImages);
     ASSERT_EQ(desk.run_other("/usr/bin/python3", {"images.py"}).exit_code, 0);
     expect_refused(desk, "score cut.jpg truth.png", {"cut.jpg: the file is cut off"});
@@ -219,16 +186,15 @@ TEST(Score, OfImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
         {"white_overlay.png", {"its alpha laid over black", ""}},
         {"yellow.png", {"lines by the blue channel", ""}},
         {"photo.jpg", {"", ""}},
-        {"flipped.png", {"", "flipped.png: it seems to be upside down"}},
-        {"mirrored.png", {"", "mirrored.png: it seems to be mirrored"}},
-        {"shifted.png",
-         {"", "shifted.png: it seems to be shifted by 8 px to the right and 3 px up"}},
+        {"flipped.png", {"", "it seems to be upside down"}},
+        {"mirrored.png", {"", "it seems to be mirrored"}},
+        {"shifted.png", {"", "it seems to be shifted by 8 px to the right and 3 px up"}},
         {"halved.png",
          {"",
-          "halved.png: its lines are faint, half of them at most 108 of 255: at threshold 64 F "
-          "would be 0.998"}},
-        {"framed.png", {"", "framed.png: a border of 20 px around it counts as drawn"}},
-        {"blank.png", {"", "blank.png: it is blank"}}};
+          "its lines are faint, half of them at most 108 of 255: at threshold 64 F would be "
+          "0.998"}},
+        {"framed.png", {"", "a border of 20 px around it counts as drawn"}},
+        {"blank.png", {"", "it is blank"}}};
     for (const auto& [file, said] : of_images) {
         SCOPED_TRACE(file);
         const auto json = score(file);
@@ -236,7 +202,7 @@ TEST(Score, OfImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
             return json.at(key).empty() ? "" : json.at(key).at(0).get<std::string>();
         };
         EXPECT_EQ(text("notes"), said.notes);
-        EXPECT_EQ(text("doubts"), said.doubts);
+        EXPECT_EQ(text("doubts"), said.doubts.empty() ? "" : file + ": " + said.doubts);
         if (said.doubts.empty()) {
             EXPECT_NEAR(json.at("f"), f, 0.01);
         } else {

@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 // A run in shares, before all of them are done.
@@ -54,7 +53,7 @@ TEST(Shares, PartialTablesHoldWhatIsThereAndNothingElse) {
         const Outcome outcome = desk.run(fmt::format("merge {} --partial --out {}", folder, out));
         EXPECT_THAT(outcome.err, HasSubstr("of 6 parts are missing"));
         std::set<std::string> cells;
-        for (const auto& row : parse_csv(desk.read(out + "/rows.csv")))
+        for (const auto& row : rows_of(desk, out))
             cells.insert(row.at("cell"));
         EXPECT_FALSE(cells.empty());
         for (const auto& line : parse_csv(desk.read(out + "/sweep.csv")))

@@ -7,7 +7,6 @@
 namespace ink::program {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 /// The first row of mote4 after `inkbench compare` with these words more.
@@ -16,11 +15,7 @@ std::map<std::string, std::string> compared(const Desk& desk, const Words& more)
                 "compare --scenes torus --methods mote4 --size 160x90 --no-sweep --no-crosscheck "
                 "--repetitions 2 --out out --force" +
                     more);
-    for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
-        if (row.at("method") == "mote4") return row;
-    }
-    ADD_FAILURE() << "no row";
-    return {};
+    return only(rows_of(desk), "mote4").at(0);
 }
 
 TEST(NoSkip, IsRecordedAndChangesNoImage) {
@@ -45,13 +40,10 @@ TEST(NoSkip, DrawsTheSameImage) {
 }
 
 TEST(NoSkip, RefusesWhatIsNoSkip) {
-    const Desk desk;
     for (const char* words : {"compare --scenes torus --no-skip oclusion_culling",
                               "draw torus -o a.png --no-skip oclusion_culling"})
-        EXPECT_THAT(refusal(desk, words),
-                    AllOf(HasSubstr("--no-skip"),
-                          HasSubstr("temporal_reuse"),
-                          HasSubstr("did you mean occlusion_culling?")));
+        expect_refused(
+            Desk(), words, {"--no-skip", "temporal_reuse", "did you mean occlusion_culling?"});
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/program/run_program.h"
 
 // `inkbench timedemo` as a user runs it.
@@ -15,23 +13,17 @@ TEST(Timedemo, PrintsItsTableAndWritesItsFrames) {
     const Desk desk;
     const std::string out =
         expect_done(desk, "timedemo gear --methods mote4 --frames 2 --size 64x48 --out demo");
-    for (const char* row : {"plain",
-                            "shading",
-                            "no edges",
-                            "full",
-                            "toon",
-                            "sketch",
-                            "orbit, first",
-                            "dolly, cached",
-                            "own lights"})
+    for (const std::string& row : Words("plain shading full toon sketch") +
+                                      Words{"no edges", "orbit, first", "dolly, cached"} +
+                                      Words{"own lights"})
         EXPECT_THAT(out, HasSubstr(row));
     EXPECT_EQ(parse_csv(desk.read("demo/timedemo.csv")).size(), 3U * 3 * 2)
         << "paths, passes, frames";
 }
 
 TEST(Timedemo, TellsItsRatesAsJson) {
-    const auto json = nlohmann::json::parse(
-        expect_done(Desk(), "timedemo gear --method mote4 --frames 2 --size 64x48 --json"));
+    const auto json =
+        expect_json(Desk(), "timedemo gear --method mote4 --frames 2 --size 64x48 --json");
     EXPECT_EQ(json.at("scene"), "gear");
     EXPECT_EQ(json.at("lights"), "file");
     ASSERT_EQ(json.at("rates").size(), 3U * 6 * 2) << "paths, kinds of frame, first and cached";
