@@ -6,50 +6,12 @@
 #include <random>
 
 #include "core/error.h"
-#include "tests/scene/small_meshes.h"
+#include "tests/harness/made_up_method.h"
 
 namespace ink::harness {
 namespace {
 
-/// A method made for one test: draws what `image` says, or fails where it is told to.
-class Puppet final : public method::Method {
-  public:
-    struct Script {
-        std::string fail_in;    ///< "prepare", "draw" or ""
-        bool is_moody = false;  ///< every drawing differs from the one before
-        int drawings = 0;
-    };
-    explicit Puppet(Script& script) : script_(script) {}
-
-    void prepare(const scene::PreparedScene&) override {
-        if (script_.fail_in == "prepare") throw core::Error("puppet", "it will not prepare");
-    }
-    void pose(const scene::PreparedScene&) override {}
-    void draw(const method::Frame&, edge::EdgeImage& out) override {
-        if (script_.fail_in == "draw") throw std::runtime_error("out of ink");
-        out.fill(0);
-        out.at(2, 2) = static_cast<std::uint8_t>(script_.is_moody ? ++script_.drawings : 200);
-        if (!script_.is_moody) ++script_.drawings;
-    }
-    int bytes_per_px() const override { return 3; }
-
-  private:
-    Script& script_;
-};
-
-method::MethodInfo info_of(const std::string& name, Puppet::Script& script) {
-    method::MethodInfo info;
-    info.name = name;
-    info.make = [&script](const core::ParamValues&) { return std::make_unique<Puppet>(script); };
-    info.complete = [](const core::ParamValues&) {
-        return core::ParamValues{{"threshold", "100"}};
-    };
-    return info;
-}
-
-struct Stage {
-    scene::Scene scene = scene::scene_of(scene::unit_cube());
-    scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
+struct Stage : SmallCube {
     PreparedMethods methods;
 
     void add(const method::MethodInfo& info) {
@@ -58,27 +20,25 @@ struct Stage {
 };
 
 TEST(DrawInTurns, RepeatsAtLeastTheMinimumAndKeepsTheImage) {
-    Puppet::Script script;
-    const auto info = info_of("good", script);
+    Script script;
+    const auto info = made_up_info(script);
     Stage stage;
     stage.add(info);
     std::vector<edge::EdgeImage> images;
     const auto times = draw_in_turns(stage.methods, stage.view, {1, 3, 5, 1000, 0}, images);
     EXPECT_EQ(times[0].failure, "");
     EXPECT_EQ(times[0].draws.size(), 5U);
-    EXPECT_EQ(script.drawings, 6);  // one to warm up
-    EXPECT_EQ(images[0].at(2, 2), 200);
+    EXPECT_EQ(script.frames.size(), 6U);  // one to warm up
+    EXPECT_EQ(images[0].at(1, 1), 200);
 }
 
 TEST(DrawInTurns, OneMethodsFailureIsItsOwn) {
-    Puppet::Script good, bad, moody, unprepared;
-    bad.fail_in = "draw";
-    moody.is_moody = true;
-    unprepared.fail_in = "prepare";
-    const auto infos = std::vector{info_of("good", good),
-                                   info_of("bad", bad),
-                                   info_of("moody", moody),
-                                   info_of("unprepared", unprepared)};
+    Script good, bad, moody, unprepared;
+    bad.failure = "out of ink";
+    moody.on_draw = [&] { ++moody.edge_response; };
+    unprepared.failure_to_prepare = "it will not prepare";
+    const auto infos = std::vector{
+        made_up_info(good), made_up_info(bad), made_up_info(moody), made_up_info(unprepared)};
     Stage stage;
     for (const auto& info : infos)
         stage.add(info);

@@ -190,6 +190,12 @@ inline core::CsvTable file_of(const core::TableInfo& info, const std::string& li
     return core::split_csv(core::heading(info) + lines, info.file);
 }
 
+/// The field of `column` of a row as rows.csv has it, without its quotes.
+inline std::string field(const Row& row, const std::string& column) {
+    const core::CsvTable table = file_of(rows_table(), row_line(1, Study::compare, row));
+    return core::unquoted(table.records.at(0).at(table.find(column)));
+}
+
 /// Rows as rows.csv gives them back.
 inline std::vector<RowRecord> read_again(const std::vector<RowRecord>& rows) {
     std::string lines;

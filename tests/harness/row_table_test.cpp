@@ -19,11 +19,6 @@ std::string lines_of(const std::vector<RowRecord>& rows) {
     return lines;
 }
 
-std::string field(const Row& row, const std::string& column) {
-    const core::CsvTable table = file_of(rows_table(), row_line(1, Study::compare, row));
-    return core::unquoted(table.records.at(0).at(table.find(column)));
-}
-
 std::string error_of(const std::string& text) {
     return core::error_text([&] { return read_rows(core::split_csv(text, "rows.csv")); });
 }

@@ -9,21 +9,14 @@
 #include "harness/cells/skip_switches.h"
 #include "harness/rows/row_table.h"
 #include "tests/core/error_text.h"
-#include "tests/harness/skipping_method.h"
-#include "tests/scene/small_meshes.h"
+#include "tests/harness/made_up_method.h"
+#include "tests/harness/random_rows.h"
 
 namespace ink::harness {
 namespace {
 
 using raster::Skip;
 using raster::SkipSet;
-using testing::HasSubstr;
-
-std::string field(const Row& row, const std::string& column) {
-    const core::CsvTable table =
-        core::split_csv(core::heading(rows_table()) + row_line(1, Study::compare, row), "rows.csv");
-    return table.records.at(0).at(table.find(column));
-}
 
 TEST(WithoutSkips, TakesNamesAwayAndAllTakesEverything) {
     EXPECT_EQ(without_skips({}, {}), SkipSet());
@@ -55,30 +48,13 @@ TEST(SkipsOfRepeatedDrawings, AreAllButThoseOfWhatStandsStill) {
     EXPECT_EQ(forbidden_skips(MeasureOptions().skips), "temporal_reuse");
 }
 
-struct Stage {
-    SkipScript script{.counts = made_up_counts()};
-    method::MethodInfo info = skipping_info(script);
-    scene::Scene scene = scene::scene_of(scene::unit_cube());
-    scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
-
-    Row timed(MeasureOptions options) {
-        const method::MethodConfig config{&info, {}};
-        const PreparedMethods methods = prepare_methods(std::span(&config, 1), scene);
-        std::vector<edge::EdgeImage> images;
-        const auto times = draw_in_turns(methods, view, options, images);
-        Row row = methods[0]->row();
-        fill_skips(times[0], options.skips, row);
-        return row;
-    }
-};
-
 TEST(DrawInTurns, AllowsWhatTheOptionsAllowAndCountsTheLastDrawing) {
-    Stage stage;
+    Script script{.counts = made_up_counts()};
     MeasureOptions options{1, 2, 2, 1000};
     options.skips = without_skips({}, {"back_face_culling"});
-    const Row row = stage.timed(options);
-    ASSERT_EQ(stage.script.frames.size(), 3U);
-    for (const method::Frame& frame : stage.script.frames)
+    const Row row = timed(script, options);
+    ASSERT_EQ(script.frames.size(), 3U);
+    for (const method::Frame& frame : script.frames)
         EXPECT_EQ(frame.skips, options.skips);
     EXPECT_EQ(row.skips_off, "back_face_culling");
     EXPECT_EQ(field(row, "skips_off"), "back_face_culling");
@@ -90,9 +66,8 @@ TEST(DrawInTurns, AllowsWhatTheOptionsAllowAndCountsTheLastDrawing) {
 }
 
 TEST(DrawInTurns, AMethodThatFailedCountsNothing) {
-    Stage stage;
-    stage.script.failure = "out of ink";
-    const Row row = stage.timed({1, 2, 2, 1000});
+    Script script{.counts = made_up_counts(), .failure = "out of ink"};
+    const Row row = timed(script, {1, 2, 2, 1000});
     EXPECT_EQ(row.skips, std::nullopt);
     EXPECT_EQ(field(row, "skip_occlusion_culling"), "");
     EXPECT_EQ(field(row, "skip_occlusion_culling_of"), "");

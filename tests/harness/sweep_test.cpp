@@ -2,29 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/scene/small_meshes.h"
-
 namespace ink::harness {
 namespace {
 
-/// Draws a row of pixels of the edge response it is set to, and fails where it is told to.
-class Stroke final : public method::Method {
-  public:
-    explicit Stroke(int edge_response) : edge_response_(edge_response) {}
-    void prepare(const scene::PreparedScene&) override {}
-    void pose(const scene::PreparedScene&) override {}
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override {
-        if (edge_response_ == 13) throw std::runtime_error("out of ink");
-        out.fill(0);
-        for (int x = 0; x < frame.view.width_px; ++x)
-            out.at(x, 20) = static_cast<std::uint8_t>(edge_response_);
-    }
-    int bytes_per_px() const override { return 1; }
-
-  private:
-    int edge_response_;
-};
-
+/// A method that is not drawn here.
 method::MethodInfo stroke_info() {
     method::MethodInfo info;
     info.name = "stroke";
@@ -33,9 +14,6 @@ method::MethodInfo stroke_info() {
         for (const auto& [name, value] : values)
             all[name] = value;
         return all;
-    };
-    info.make = [complete = info.complete](const core::ParamValues& values) {
-        return std::make_unique<Stroke>(std::stoi(complete(values).at("edge_response")));
     };
     info.sweep = {{}, {{"edge_response", "50"}}, {{"edge_response", "13"}}, {{"tip", "flat"}}};
     return info;

@@ -4,7 +4,7 @@
 
 #include "harness/cells/cell.h"
 #include "harness/clock/yardstick.h"
-#include "tests/scene/small_meshes.h"
+#include "tests/harness/made_up_method.h"
 
 namespace ink::harness {
 namespace {
@@ -40,26 +40,6 @@ using Load = std::function<core::Spent(int n)>;
 /// And the yardstick before and after it.
 using Speed = std::function<std::int64_t(int n)>;
 
-class Loaded final : public method::Method {
-  public:
-    Loaded(MadeUpClock& clock, const Load& load, const Speed& yardstick)
-        : clock_(clock), load_(load), yardstick_(yardstick) {}
-    void prepare(const scene::PreparedScene&) override {}
-    void pose(const scene::PreparedScene&) override {}
-    void draw(const method::Frame&, edge::EdgeImage& out) override {
-        out.fill(0);
-        clock_.spend(load_(n_++));
-        clock_.yardstick_ns = yardstick_(n_);
-    }
-    int bytes_per_px() const override { return 3; }
-
-  private:
-    MadeUpClock& clock_;
-    const Load& load_;
-    const Speed& yardstick_;
-    int n_ = 0;
-};
-
 std::int64_t no_yardstick(int) {
     return 0;
 }
@@ -68,22 +48,12 @@ std::int64_t no_yardstick(int) {
 Row measured(const Load& load, MeasureOptions options = {}, const Speed& yardstick = no_yardstick) {
     MadeUpClock clock;
     options.clock = &clock;
-    method::MethodInfo info;
-    info.name = "loaded";
-    info.make = [&](const core::ParamValues&) {
-        return std::make_unique<Loaded>(clock, load, yardstick);
-    };
-    info.complete = [](const core::ParamValues&) {
-        return core::ParamValues{{"threshold", "100"}};
-    };
-    const method::MethodConfig config{&info, {}};
-    const scene::Scene scene = scene::scene_of(scene::unit_cube());
-    const scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
-    const PreparedMethods methods = prepare_methods(std::span(&config, 1), scene);
-    std::vector<edge::EdgeImage> images;
-    Row row = methods[0]->row();
-    fill_times(draw_in_turns(methods, view, options, images).front(), row);
-    return row;
+    int n = 0;
+    Script script{.on_draw = [&] {
+        clock.spend(load(n++));
+        clock.yardstick_ns = yardstick(n);
+    }};
+    return timed(script, options);
 }
 
 TEST(Clock, OfAQuietMachineEndsWithNineSamplesAndNoDoubt) {

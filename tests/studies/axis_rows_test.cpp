@@ -13,7 +13,7 @@
 #include "studies/axis_tables.h"
 #include "studies/stress/stress_axes.h"
 #include "studies/stress/stress_counts.h"
-#include "tests/harness/skipping_method.h"
+#include "tests/harness/made_up_method.h"
 
 namespace ink::studies {
 namespace {
@@ -103,9 +103,9 @@ TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
 }
 
 TEST(StressRows, AMethodThatThrowsIsLost) {
-    harness::SkipScript script;
+    harness::Script script;
     script.failure = "no ink left";
-    const method::MethodInfo info = harness::skipping_info(script);
+    const method::MethodInfo info = harness::made_up_info(script);
     const auto rows = rows_of("zoom", 1, {{&info, {}}});
     ASSERT_EQ(rows.size(), 20U);
     EXPECT_EQ(rows[0].row.status, "failed: no ink left");

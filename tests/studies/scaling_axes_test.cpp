@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/axis_rows.h"
-#include "tests/harness/skipping_method.h"
+#include "tests/harness/made_up_method.h"
 
 namespace ink::studies {
 namespace {
@@ -29,8 +29,8 @@ TEST(ScalingAxes, GrowInTrianglesPixelsAndWhatIsCovered) {
 }
 
 TEST(ScalingAxes, AreTimedAndNotScored) {
-    harness::SkipScript script;
-    const auto info = harness::skipping_info(script);
+    harness::Script script;
+    const auto info = harness::made_up_info(script);
     const Axis axis = scaling_axes().front();
     const auto rows =
         axis_rows(axis, axis.cases(axis.values.front(), {}).front(), {{&info, {}}}, {});
@@ -44,9 +44,9 @@ TEST(ScalingAxes, AreTimedAndNotScored) {
 }
 
 TEST(ScalingAxes, AMethodThatFailsHasARowThatSaysWhy) {
-    harness::SkipScript script;
+    harness::Script script;
     script.failure = "out of ink";
-    const auto info = harness::skipping_info(script);
+    const auto info = harness::made_up_info(script);
     const Axis axis = scaling_axes().front();
     const auto rows =
         axis_rows(axis, axis.cases(axis.values.front(), {}).front(), {{&info, {}}}, {});
