@@ -50,12 +50,10 @@ const method::MethodInfo& slope() {
 
 edge::EdgeImage drawing_of(const method::MethodConfig& config, int width_px, int height_px) {
     const scene::Scene scene = cube_on_floor();
-    const auto method = config.info->make(config.settings);
-    method->prepare(scene);
-    method->pose(scene);
-    edge::EdgeImage out(width_px, height_px);
-    method->draw({view_from(scene, {3, 2, 4}, {0, 0, 0}, {width_px, height_px})}, out);
-    return out;
+    return drawn(*config.info,
+                 config.settings,
+                 scene,
+                 {view_from(scene, {3, 2, 4}, {0, 0, 0}, {width_px, height_px})});
 }
 
 TEST(Antialias, NoneIsTheMethodItself) {

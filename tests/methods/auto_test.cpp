@@ -14,7 +14,6 @@ namespace {
 
 using testing::Contains;
 using testing::Field;
-using testing::HasSubstr;
 
 constexpr double kPrices[] = {1, 1.5, 3};
 
@@ -61,14 +60,9 @@ TEST(AutoPlan, EdgesDrawWhatSamplesPassBy) {
 }
 
 TEST(AutoPlan, ManyPatchesOfSoupAreToldApartByCodes) {
-    const scene::Mesh ball = catalogue::make_icosphere(1, 2);
-    scene::Mesh soup;
-    for (const scene::Triangle& t : ball.triangles) {
-        const auto first = static_cast<std::uint32_t>(soup.positions.size());
-        for (const std::uint32_t v : t)
-            soup.positions.push_back((1 + 1e-3F * static_cast<float>(first)) * ball.positions[v]);
-        soup.triangles.push_back({first, first + 1, first + 2});
-    }
+    scene::Mesh soup = scene::exploded(catalogue::make_icosphere(1, 2));
+    for (std::size_t v = 0; v < soup.positions.size(); ++v)
+        soup.positions[v] *= 1 + 3e-3F * static_cast<float>(v / 3);
     EXPECT_NE(plan_for(scene_of({soup}), 3).method, "label8");
 }
 
@@ -92,11 +86,9 @@ TEST(Auto, DrawsWhatTheChosenMethodDraws) {
     const scene::Scene scene = torus();
     const scene::View view = view_from(scene, {4, 3, 6}, {0, 0, 0}, {150, 101});
     for (const char* price : {"1", "1.5", "3"}) {
-        const core::ParamValues set{{"crease_deg", "30"}};
-        core::ParamValues priced = set;
-        priced["price"] = price;
-        EXPECT_EQ(drawn("auto", priced, scene, {view, 1}),
-                  drawn(plan_for(scene, std::stod(price)).method, set, scene, {view, 1}));
+        const std::string chosen = plan_for(scene, std::stod(price)).method;
+        EXPECT_EQ(drawn("auto", {{"crease_deg", "30"}, {"price", price}}, scene, {view, 1}),
+                  drawn(chosen, {{"crease_deg", "30"}}, scene, {view, 1}));
     }
 }
 
@@ -142,12 +134,12 @@ TEST(Auto, DrawsAPoseTheSameWhateverItDrewOnTheWay) {
 
 TEST(Auto, TellsThePlanOfTheSceneThatWasPrepared) {
     const auto method = find_method("auto").make({});
-    method->prepare(torus());
-    EXPECT_EQ(method->plan().front().what, "surface_lookup");
-    EXPECT_EQ(method->bytes_per_px(), find_method("surface_lookup").bytes_per_px({}));
-    method->prepare(cube_on_floor());
-    EXPECT_EQ(method->plan().front().what, "label8");
-    EXPECT_EQ(method->bytes_per_px(), find_method("label8").bytes_per_px({}));
+    for (const scene::Scene& scene : {torus(), cube_on_floor()}) {
+        method->prepare(scene);
+        const std::string chosen = scene.meshes.size() == 1 ? "surface_lookup" : "label8";
+        EXPECT_EQ(method->plan().front().what, chosen);
+        EXPECT_EQ(method->bytes_per_px(), find_method(chosen).bytes_per_px({}));
+    }
 }
 
 TEST(Auto, OtherMethodsPlanNothing) {

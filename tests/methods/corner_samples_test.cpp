@@ -31,20 +31,17 @@ struct SeenRectangle {
         const auto x = [&](double px) { return static_cast<float>((px - width_px / 2.0) * unit); };
         const auto y = [&](double px) { return static_cast<float>((height_px / 2.0 - px) * unit); };
         scene::Mesh mesh;
-        mesh.positions = {{x(left_px), y(bottom_px), 0},
-                          {x(right_px), y(bottom_px), 0},
-                          {x(right_px), y(top_px), 0},
-                          {x(left_px), y(top_px), 0}};
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+        scene::add_quad(mesh,
+                        {x(left_px), y(bottom_px), 0},
+                        {x(right_px) - x(left_px), 0, 0},
+                        {0, y(top_px) - y(bottom_px), 0});
         return scene_of({mesh});
     }
     /// The pixels that its border runs through.
     [[nodiscard]] edge::EdgeImage border() const {
         edge::EdgeImage image(width_px, height_px, 0);
-        const int x0 = static_cast<int>(left_px);
-        const int x1 = static_cast<int>(right_px);
-        const int y0 = static_cast<int>(top_px);
-        const int y1 = static_cast<int>(bottom_px);
+        const int x0 = static_cast<int>(left_px), x1 = static_cast<int>(right_px);
+        const int y0 = static_cast<int>(top_px), y1 = static_cast<int>(bottom_px);
         for (int y = y0; y <= y1; ++y) {
             for (int x = x0; x <= x1; ++x) {
                 if (x == x0 || x == x1 || y == y0 || y == y1) image.at(x, y) = 255;

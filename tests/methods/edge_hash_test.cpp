@@ -20,9 +20,7 @@ EdgeHash posed(const scene::Scene& scene, const EdgeHash::Params& params = {}) {
 }
 
 edge::EdgeImage image(EdgeHash& method, const scene::View& view) {
-    edge::EdgeImage out(view.width_px, view.height_px);
-    method.draw({view}, out);
-    return out;
+    return image_by(method, {view});
 }
 
 TEST(EdgeHash, AStaleEyeIsThatOfTheLastViewUnlikeThisOne) {
@@ -62,19 +60,12 @@ TEST(EdgeHash, ItsDebugImageHasAColorForEachKind) {
     EXPECT_GT(count(image, {255, 0, 0}), 100U);
 }
 
-TEST(EdgeHash, ItsDebugImageOfAClosedSolidHasNoRed) {
-    const scene::Scene scene = scene_of({cube_mesh()});
-    EdgeHash method = posed(scene);
-    const DebugImage image = method.debug_image({view_from(scene, {4, 3, 6}, {0, 0, 0}, kSize_px)});
-    EXPECT_EQ(image.counts.boundary, 0U);
-    EXPECT_EQ(count(image, {255, 0, 0}), 0U);
-}
-
-TEST(EdgeHash, TheDebugImageOfNothingIsPaper) {
-    const scene::Scene empty;
-    EdgeHash method = posed(empty);
+TEST(EdgeHash, ItsDebugImageOfAClosedSolidHasNoRedAndOfNothingIsPaper) {
     const scene::View view = view_from(cube_on_floor(), {4, 3, 6}, {0, 0, 0}, kSize_px);
-    const DebugImage image = method.debug_image({view});
+    const DebugImage solid = posed(scene_of({cube_mesh()})).debug_image({view});
+    EXPECT_EQ(solid.counts.boundary, 0U);
+    EXPECT_EQ(count(solid, {255, 0, 0}), 0U);
+    const DebugImage image = posed({}).debug_image({view});
     EXPECT_EQ(count(image, image.rgb.at(0, 0)), image.rgb.size());
     EXPECT_EQ(image.counts.contours + image.counts.creases + image.counts.boundary, 0U);
 }

@@ -47,17 +47,10 @@ scene::Scene moving_hinge(const std::vector<double>& angles_deg) {
 }
 
 /// From flat to a right angle, past the crease angle once.
-std::vector<double> opening() {
-    std::vector<double> angles_deg(11);
-    for (std::size_t i = 0; i < angles_deg.size(); ++i)
-        angles_deg[i] = 9 * static_cast<double>(i);
-    return angles_deg;
-}
+const std::vector<double> kOpening{0, 9, 18, 27, 36, 45, 54, 63, 72, 81, 90};
 
 /// Past the crease angle in every frame, never to the same angle.
-std::vector<double> flapping() {
-    return {0, 90, 15, 75, 30, 60, 0, 50, 39, 41};
-}
+const std::vector<double> kFlapping{0, 90, 15, 75, 30, 60, 0, 50, 39, 41};
 
 /// The frames of the sequence: six by three tiles, most of which the hinge never touches.
 std::vector<Step> frames_of(const std::vector<double>& angles_deg) {
@@ -97,26 +90,23 @@ class Hinge : public testing::TestWithParam<std::string> {
     }
 };
 
-TEST_P(Hinge, ThatPassesTheCreaseAngleOnceIsDrawnAsWithoutReuse) {
-    EXPECT_EQ(breach(frames_of(opening())), "");
-    EXPECT_EQ(breach(without_animation(frames_of(opening()))), "");
-}
-
-TEST_P(Hinge, ThatPassesTheCreaseAngleInEveryFrameIsDrawnAsWithoutReuse) {
-    EXPECT_EQ(breach(frames_of(flapping())), "");
-    EXPECT_EQ(breach(without_animation(frames_of(flapping()))), "");
+TEST_P(Hinge, ThatPassesTheCreaseAngleIsDrawnAsWithoutReuse) {
+    for (const std::vector<double>& angles_deg : {kOpening, kFlapping}) {
+        EXPECT_EQ(breach(frames_of(angles_deg)), "");
+        EXPECT_EQ(breach(without_animation(frames_of(angles_deg))), "");
+    }
 }
 
 TEST_P(Hinge, KeepsTilesInFramesThatLeaveTheTopologyAlone) {
     // Else the laws above would hold for a method that keeps nothing.
-    const std::vector<Step> steps = frames_of(opening());
+    const std::vector<Step> steps = frames_of(kOpening);
     const auto method = info().make({});
     method->prepare(steps.front().scene);
     std::uint64_t tiles = 0;
     std::uint64_t kept = 0;
     for (const Step& step : steps) {
         method->pose(step.scene);
-        (void)drawn_over_garbage(*method, {step.view, 1, {}});
+        (void)image_by(*method, {step.view, 1, {}});
         raster::SkipCounts counts = method->skip_counts();
         tiles += raster::count_of(counts, raster::Skip::temporal_reuse).of;
         kept += raster::count_of(counts, raster::Skip::temporal_reuse).skipped;

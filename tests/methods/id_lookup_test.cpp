@@ -163,11 +163,7 @@ TEST(IdLookup, HairlineCracksAreClosed) {
     // A floor of two halves that lie a hair apart, and of a row of tiles in brick bond.
     scene::Mesh mesh;
     const auto quad = [&](float x0, float x1, float z0, float z1) {
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(),
-                              {{x0, 0, z0}, {x0, 0, z1}, {x1, 0, z1}, {x1, 0, z0}});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-        mesh.triangles.push_back({first, first + 2, first + 3});
+        scene::add_quad(mesh, {x0, 0, z0}, {0, 0, z1 - z0}, {x1 - x0, 0, 0});
     };
     quad(-1, 0, -1, 0);
     quad(1e-5F, 1, -1, 0);
@@ -216,14 +212,8 @@ TEST(IdLookup, TwoSheetsOfOneObjectBackToBackAreSilent) {
 /// Three walls that meet at an edge, as an open book has, and a floor that coincides with another.
 scene::Scene walls_at_an_edge() {
     scene::Mesh mesh;
-    mesh.positions = {{0, -1, 0},
-                      {0, 1, 0},
-                      {1, -1, 0},
-                      {1, 1, 0},
-                      {-1, -1, 0.6},
-                      {-1, 1, 0.6},
-                      {-1, -1, -0.8},
-                      {-1, 1, -0.8}};
+    for (const glm::vec2 xz : {glm::vec2{0, 0}, {1, 0}, {-1, 0.6F}, {-1, -0.8F}})
+        mesh.positions.insert(mesh.positions.end(), {{xz.x, -1, xz.y}, {xz.x, 1, xz.y}});
     for (const std::uint32_t to : {2U, 4U, 6U})
         mesh.triangles.insert(mesh.triangles.end(), {{0, to, 1}, {1, to, to + 1}});
     scene::Scene scene = scene_of({mesh, floor_mesh(1), floor_mesh(0.7F)});
@@ -293,12 +283,10 @@ TEST(SurfaceLookup, FlagsFollowThePose) {
     const scene::View view = view_from(apart, {1, 3, 4}, {1, 0, 0}, {310, 240});
     for (const char* name : {"surface_lookup", "id_lookup"}) {
         const auto method = find_method(name).make({});
-        edge::EdgeImage out(view.width_px, view.height_px);
         method->prepare(apart);
         for (const scene::Scene& scene : {together, apart, together}) {
             method->pose(scene);
-            method->draw({view, 1}, out);
-            EXPECT_EQ(out, drawn(name, {}, scene, {view, 1})) << name;
+            EXPECT_EQ(image_by(*method, {view, 1}), drawn(name, {}, scene, {view, 1})) << name;
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 
 #include "catalogue/shapes.h"
 #include "core/error.h"
@@ -14,17 +15,8 @@ namespace {
 
 constexpr double kCrease_rad = 0.7;
 
-struct KindCounts {
-    std::ptrdiff_t contours = 0;
-    std::ptrdiff_t creases = 0;
-    std::ptrdiff_t boundary = 0;
-    friend bool operator==(const KindCounts&, const KindCounts&) = default;
-};
-
-std::ostream& operator<<(std::ostream& out, const KindCounts& counts) {
-    return out << counts.contours << " contours, " << counts.creases << " creases, "
-               << counts.boundary << " boundary";
-}
+/// Contours, creases, edges of a boundary.
+using KindCounts = std::array<std::ptrdiff_t, 3>;
 
 KindCounts count(const std::vector<buffers::KnownEdge>& edges) {
     const auto of = [&](buffers::EdgeKind kind) {

@@ -95,12 +95,7 @@ TEST(Presets, AMethodOfAPresetDrawsAsItsMethodWithThoseSettings) {
 
     const scene::Scene scene = cube_on_floor();
     const scene::View view = view_from(scene, {4, 3, 6}, {0, 0, 0}, {150, 101});
-    edge::EdgeImage image(150, 101);
-    const auto method = info.make({{"fatten", "false"}});
-    method->prepare(scene);
-    method->pose(scene);
-    method->draw({view, 1}, image);
-    EXPECT_EQ(image,
+    EXPECT_EQ(drawn(info, {{"fatten", "false"}}, scene, {view, 1}),
               drawn("mote4", {{"range_depth", "80.5"}, {"normals", "facet"}}, scene, {view, 1}));
 }
 

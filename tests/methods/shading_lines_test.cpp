@@ -75,15 +75,8 @@ TEST(BlurredSilhouette, TheFrameIsNoBorder) {
 TEST(IdsDepth, FindsAStepWithinOneIdThatIdsLack) {
     // Two sheets of one object, one behind the other, joined nowhere on the image.
     scene::Mesh sheets;
-    const auto add = [&](float x0, float x1, float z) {
-        const auto first = static_cast<std::uint32_t>(sheets.positions.size());
-        for (const glm::vec3 p : {glm::vec3(x0, -9, z), {x1, -9, z}, {x1, 9, z}, {x0, 9, z}})
-            sheets.positions.push_back(p);
-        sheets.triangles.push_back({first, first + 1, first + 2});
-        sheets.triangles.push_back({first, first + 2, first + 3});
-    };
-    add(-9, 9, 0);
-    add(0, 9, 1);
+    scene::add_quad(sheets, {-9, -9, 0}, {18, 0, 0}, {0, 18, 0});
+    scene::add_quad(sheets, {0, -9, 1}, {9, 0, 0}, {0, 18, 0});
     const scene::Scene scene = scene_of({sheets});
     const scene::View view = view_from(scene, {0, 0, 5}, {0, 0, 0}, {101, 51});
     const core::ParamValues objects{{"of", "object"}};

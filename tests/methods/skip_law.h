@@ -29,13 +29,6 @@ inline std::vector<NamedSkips> skip_sets() {
     return sets;
 }
 
-/// What a method draws over garbage.
-inline edge::EdgeImage drawn_over_garbage(method::Method& method, const method::Frame& frame) {
-    edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
-    method.draw(frame, out);
-    return out;
-}
-
 /// What a new method, prepared at the `start`, draws of one frame when it may skip nothing.
 inline edge::EdgeImage drawn_scalar(const MakeMethod& make,
                                     const scene::Scene& start,
@@ -44,7 +37,7 @@ inline edge::EdgeImage drawn_scalar(const MakeMethod& make,
     const auto method = make();
     method->prepare(start);
     method->pose(scene);
-    return drawn_over_garbage(*method, {view, 1, raster::SkipSet::none()});
+    return image_by(*method, {view, 1, raster::SkipSet::none()});
 }
 
 /// The first set of skips that changes an image of a scene that stands still, "" if none does.
@@ -63,7 +56,7 @@ inline std::string breach_of_a_view(const MakeMethod& make,
     int threads = 1;
     for (const NamedSkips& set : skip_sets()) {
         for (std::size_t i = 0; i < views.size(); ++i) {
-            if (drawn_over_garbage(*method, {views[i], threads, set.skips}) != expected[i]) {
+            if (image_by(*method, {views[i], threads, set.skips}) != expected[i]) {
                 return set.name + ", " + views[i].camera.name + ", " + std::to_string(threads) +
                        " threads";
             }
@@ -95,9 +88,8 @@ inline std::string breach_of_a_sequence(
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const Step& step = steps[i];
         if (step.is_posed) method->pose(step.scene);
-        if (drawn_over_garbage(*method, {step.view, step.threads, skips_of(i)}) != expected[i]) {
+        if (image_by(*method, {step.view, step.threads, skips_of(i)}) != expected[i])
             return step.name;
-        }
     }
     return "";
 }

@@ -53,29 +53,42 @@ struct Wall {
 
     Wall() {
         scene::Mesh mesh;
-        mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+        scene::add_quad(mesh, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
         scene = scene_of({mesh});
         view = view_from(scene, {0, 0, 4}, {0, 0, 0}, {160, 160});
         view.camera.fov_y_rad = 2 * std::atan(0.5);
     }
 };
 
-/// The image of one frame by a new method.
-inline edge::EdgeImage drawn(method::Method& method,
-                             const scene::Scene& scene,
-                             const method::Frame& frame) {
+/// A new method, prepared for a scene as it stands, which is to outlive it.
+inline std::unique_ptr<method::Method> posed_method(const method::MethodInfo& info,
+                                                    const core::ParamValues& values,
+                                                    const scene::Scene& scene) {
+    auto method = info.make(values);
+    method->prepare(scene);
+    method->pose(scene);
+    return method;
+}
+
+/// What a method draws over garbage.
+inline edge::EdgeImage image_by(method::Method& method, const method::Frame& frame) {
     edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
-    method.prepare(scene);
-    method.pose(scene);
     method.draw(frame, out);
     return out;
+}
+
+/// The image of one frame by a new method.
+inline edge::EdgeImage drawn(const method::MethodInfo& info,
+                             const core::ParamValues& values,
+                             const scene::Scene& scene,
+                             const method::Frame& frame) {
+    return image_by(*posed_method(info, values, scene), frame);
 }
 inline edge::EdgeImage drawn(const std::string& method,
                              const core::ParamValues& values,
                              const scene::Scene& scene,
                              const method::Frame& frame) {
-    return drawn(*find_method(method).make(values), scene, frame);
+    return drawn(find_method(method), values, scene, frame);
 }
 
 }  // namespace ink::methods

@@ -14,17 +14,10 @@
 namespace ink::methods {
 namespace {
 
+using scene::add_quad;
 using scene::scene_of;
 
 constexpr buffers::PatchOptions kOptions{.crease_rad = 0.7, .weld_epsilon = 1e-4};
-
-/// A parallelogram as two triangles.
-void add_quad(scene::Mesh& mesh, const glm::vec3& p, const glm::vec3& u, const glm::vec3& v) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {p, p + u, p + u + v, p + v});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 2, first + 3});
-}
 
 std::uint32_t patches(const scene::Scene& scene) {
     return make_smooth_mesh(scene, kOptions)->patch_count;
@@ -67,12 +60,9 @@ TEST(SmoothMesh, ASurfaceGoesOnOverATJunction) {
     EXPECT_EQ(patches(scene_of({t_junction(1e-5F, 0)})), 1U);
 }
 
-TEST(SmoothMesh, ATJunctionPartsWhatCreasesOrGapes) {
+TEST(SmoothMesh, ATJunctionPartsWhatCreasesOrGapesAndObjects) {
     EXPECT_EQ(patches(scene_of({t_junction(0, 2)})), 2U);
     EXPECT_EQ(patches(scene_of({t_junction(0.01F, 0)})), 2U);
-}
-
-TEST(SmoothMesh, ATJunctionPartsObjects) {
     scene::Mesh left, right;
     add_quad(left, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0});
     add_quad(right, {0, 0, 0}, {0, 0.5F, 0}, {1, 0, 0});

@@ -108,19 +108,15 @@ std::array<std::size_t, 4> boundary_edges(const scene::Scene& scene, double epsi
 
 // Counted from the files' bytes by a few lines of Python.
 
-TEST(SoupEdges, OfAPlayerComeToThis) {
-    const auto path = fetched_model("penguin.obj");
-    INK_SKIP_WITHOUT(path);
-    // 1764 triangles, split along the seams of the skin, in three parts that touch.
-    EXPECT_EQ(boundary_edges(import::import_scene(path), 0),
-              (std::array<std::size_t, 4>{418, 32, 32, 32}));
-}
-
-TEST(SoupEdges, OfLooseTrianglesComeToThis) {
-    const auto path = fetched_model("spider.stl");
-    INK_SKIP_WITHOUT(path);
-    EXPECT_EQ(boundary_edges(import::import_scene(path), 0),
-              (std::array<std::size_t, 4>{3 * 1368, 72, 72, 72}));
+TEST(SoupEdges, OfAPlayerAndOfLooseTrianglesComeToThis) {
+    // 1764 triangles, split along the seams of the skin, in three parts that touch; and 1368.
+    const std::pair<const char*, std::array<std::size_t, 4>> known[] = {
+        {"penguin.obj", {418, 32, 32, 32}}, {"spider.stl", {3 * 1368, 72, 72, 72}}};
+    for (const auto& [file, boundary] : known) {
+        const auto path = fetched_model(file);
+        INK_SKIP_WITHOUT(path);
+        EXPECT_EQ(boundary_edges(import::import_scene(path), 0), boundary);
+    }
 }
 
 }  // namespace

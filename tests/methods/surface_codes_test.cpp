@@ -13,6 +13,7 @@
 #include <map>
 #include <random>
 
+#include "catalogue/shapes.h"
 #include "methods/surface_codes/surface_distance.h"
 #include "methods/surface_codes/surface_graph.h"
 #include "tests/scene/small_meshes.h"
@@ -29,22 +30,9 @@ double share(Random& random) {
 
 /// A sheet of n x n squares with a height of its own at every vertex.
 scene::Mesh sheet(std::uint32_t n, const std::function<double(double, double)>& height) {
-    scene::Mesh mesh;
-    for (std::uint32_t y = 0; y <= n; ++y) {
-        for (std::uint32_t x = 0; x <= n; ++x) {
-            const double u = static_cast<double>(x) / n, v = static_cast<double>(y) / n;
-            mesh.positions.push_back(
-                {static_cast<float>(u), static_cast<float>(height(u, v)), static_cast<float>(v)});
-        }
-    }
-    for (std::uint32_t y = 0; y < n; ++y) {
-        for (std::uint32_t x = 0; x < n; ++x) {
-            const std::uint32_t a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
-            mesh.triangles.push_back({a, c, b});
-            mesh.triangles.push_back({b, c, d});
-        }
-    }
-    return mesh;
+    return catalogue::make_sheet(glm::ivec2(static_cast<int>(n)), [&](double u, double v) {
+        return glm::dvec3(u, height(u, v), v);
+    });
 }
 
 /// Waves and noise, from hardly bent to full of creases; some faces turned, some unwelded, some
@@ -77,6 +65,12 @@ CodeOptions options(double turn_deg = 5) {
     return options;
 }
 
+SurfaceCodes prepared(const scene::Scene& scene, double turn_deg = 5) {
+    SurfaceCodes made(options(turn_deg));
+    made.prepare(scene);
+    return made;
+}
+
 class RandomMesh : public testing::TestWithParam<int> {
   protected:
     const scene::Scene scene_ = scene_of(random_mesh(GetParam()));
@@ -88,8 +82,7 @@ class RandomMesh : public testing::TestWithParam<int> {
 };
 
 TEST_P(RandomMesh, CodesOfFacesThatTouchInASmoothPatchDifferByAStepAtMost) {
-    SurfaceCodes made(options());
-    made.prepare(scene_);
+    SurfaceCodes made = prepared(scene_);
     const std::vector<std::uint32_t> codes = made.codes(lengths_);
     const SmoothMesh& mesh = made.mesh();
     const auto code = [&](std::uint32_t face) {
@@ -114,22 +107,14 @@ TEST_P(RandomMesh, CodesOfFacesThatTouchInASmoothPatchDifferByAStepAtMost) {
 }
 
 TEST_P(RandomMesh, CodesLieInTheirRangeAndComeOutAlikeAgain) {
-    SurfaceCodes made(options());
-    made.prepare(scene_);
+    SurfaceCodes made = prepared(scene_);
     const auto codes = made.codes(lengths_);
     ASSERT_EQ(codes.size(), scene::triangle_count(scene_));
     EXPECT_GE(*std::min_element(codes.begin(), codes.end()), 2U);
     EXPECT_LE(*std::max_element(codes.begin(), codes.end()), 255U);
     EXPECT_EQ(made.codes(lengths_), codes);
-    SurfaceCodes again(options());
-    again.prepare(scene_);
-    EXPECT_EQ(again.codes(lengths_), codes);
-}
-
-TEST_P(RandomMesh, ATriangleThatRepeatsAFaceHasItsCode) {
-    SurfaceCodes made(options());
-    made.prepare(scene_);
-    const auto codes = made.codes(lengths_);
+    EXPECT_EQ(prepared(scene_).codes(lengths_), codes);
+    // A triangle that repeats a face has its code.
     const auto& triangles = scene_.meshes[0].triangles;
     const scene::Triangle& twice = triangles[triangles.size() - 2];
     const auto first = std::find(triangles.begin(), triangles.end(), twice);
@@ -160,21 +145,21 @@ TEST_P(RandomMesh, DistancesDifferByNoMoreThanWaysCost) {
     }
 }
 
-/// The cost of the shortest way between two faces.
-std::int32_t way_between(const SurfaceGraph& graph, std::uint32_t from, std::uint32_t to) {
-    std::vector<std::int32_t> keys(graph.node_count(),
-                                   std::numeric_limits<std::int32_t>::max() / 2);
+constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max() / 2;
+
+/// The cost of the shortest way from a face to each node.
+std::vector<std::int32_t> ways_from(const SurfaceGraph& graph, std::uint32_t from) {
+    std::vector<std::int32_t> keys(graph.node_count(), kFar);
     keys[from] = 0;
     spread(graph, std::vector<std::uint32_t>{from}, keys);
-    return keys[to];
+    return keys;
 }
 
 TEST_P(RandomMesh, SpreadFindsTheShortestWays) {
     const SmoothMesh mesh = *make_smooth_mesh(scene_, options().patches);
     const SurfaceGraph graph(mesh, {.turn_rad = 0.1, .length_world = {}});
     // Bellman and Ford's: relax all ways until nothing gives.
-    std::vector<std::int64_t> plain(graph.node_count(),
-                                    std::numeric_limits<std::int32_t>::max() / 2);
+    std::vector<std::int64_t> plain(graph.node_count(), kFar);
     plain[0] = 0;
     for (bool gives = true; gives;) {
         gives = false;
@@ -186,10 +171,7 @@ TEST_P(RandomMesh, SpreadFindsTheShortestWays) {
             });
         }
     }
-    std::vector<std::int32_t> keys(graph.node_count(),
-                                   std::numeric_limits<std::int32_t>::max() / 2);
-    keys[0] = 0;
-    spread(graph, std::vector<std::uint32_t>{0}, keys);
+    const std::vector<std::int32_t> keys = ways_from(graph, 0);
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
         EXPECT_EQ(keys[face], plain[face]) << face;
 }
@@ -206,15 +188,14 @@ scene::Mesh roof(std::uint32_t n) {
 
 TEST(SurfaceCodes, PartsBothSidesOfACreaseThatEndsInsideAPatch) {
     const scene::Scene scene = scene_of(roof(24));
-    SurfaceCodes made(options());
-    made.prepare(scene);
+    SurfaceCodes made = prepared(scene);
     const auto codes = made.codes({});
     const SmoothMesh& mesh = made.mesh();
     ASSERT_EQ(mesh.patch_count, 1U);
     const SurfaceGraph graph(mesh, {.turn_rad = options().turn_rad, .length_world = {}});
     int far_apart = 0;
     for (const FacePair& pair : mesh.borders) {
-        if (way_between(graph, pair.face0, pair.face1) < 3 * kStep) continue;
+        if (ways_from(graph, pair.face0)[pair.face1] < 3 * kStep) continue;
         ++far_apart;
         const auto c = [&](std::uint32_t f) {
             return static_cast<int>(codes[mesh.topology.faces[f].triangle]);
@@ -284,8 +265,7 @@ TEST(SurfaceCodes, NeighboursOverCreasesDiffer) {
         mesh.triangles.push_back({2 * i, 2 * i + 1, 2 * i + 2});
         mesh.triangles.push_back({2 * i + 1, 2 * i + 3, 2 * i + 2});
     }
-    SurfaceCodes made(options());
-    made.prepare(scene_of(mesh));
+    SurfaceCodes made = prepared(scene_of(mesh));
     const auto codes = made.codes({});
     EXPECT_EQ(made.mesh().patch_count, 40U);
     for (std::size_t i = 0; i < 40; ++i) {
@@ -297,39 +277,30 @@ TEST(SurfaceCodes, NeighboursOverCreasesDiffer) {
     }
 }
 
-TEST(SurfaceCodes, AFlatSheetHasOneCodeWhateverItsTriangles) {
-    SurfaceCodes made(options(0.1));
-    made.prepare(scene_of(sheet(30, [](double, double) { return 0.0; })));
-    const auto codes = made.codes({});
-    EXPECT_EQ(*std::min_element(codes.begin(), codes.end()),
-              *std::max_element(codes.begin(), codes.end()));
+std::uint32_t spread_of(const std::vector<std::uint32_t>& codes) {
+    const auto [low, high] = std::minmax_element(codes.begin(), codes.end());
+    return *high - *low;
 }
 
-TEST(SurfaceCodes, WithoutTurningAPatchHasOneCode) {
-    SurfaceCodes made(options(0));
-    made.prepare(scene_of(roof(12)));
-    const auto codes = made.codes({});
-    EXPECT_EQ(*std::min_element(codes.begin(), codes.end()),
-              *std::max_element(codes.begin(), codes.end()));
+TEST(SurfaceCodes, AFlatSheetHasOneCodeAndAPatchWithoutTurning) {
+    const scene::Scene flat = scene_of(sheet(30, [](double, double) { return 0.0; }));
+    EXPECT_EQ(spread_of(prepared(flat, 0.1).codes({})), 0U);
+    EXPECT_EQ(spread_of(prepared(scene_of(roof(12)), 0).codes({})), 0U);
 }
 
 TEST(SurfaceCodes, LongerStepsAreFewer) {
-    SurfaceCodes made(options(0.5));
     const scene::Scene scene = scene_of(random_mesh(3));
-    made.prepare(scene);
-    const auto spread_of = [&](float length) {
-        const auto codes = made.codes(std::vector<float>(scene::triangle_count(scene), length));
-        const auto [low, high] = std::minmax_element(codes.begin(), codes.end());
-        return *high - *low;
+    SurfaceCodes made = prepared(scene, 0.5);
+    const auto spread_by = [&](float length) {
+        return spread_of(made.codes(std::vector<float>(scene::triangle_count(scene), length)));
     };
-    EXPECT_GT(spread_of(0.01F), spread_of(0.3F));
-    EXPECT_LE(spread_of(10), 1U);
+    EXPECT_GT(spread_by(0.01F), spread_by(0.3F));
+    EXPECT_LE(spread_by(10), 1U);
 }
 
 TEST(SurfaceCodes, StayWhileInstancesMoveAndForFacesTurnedOver) {
     scene::Scene scene = scene_of(random_mesh(4));
-    SurfaceCodes made(options());
-    made.prepare(scene);
+    SurfaceCodes made = prepared(scene);
     const auto codes = made.codes({});
     scene.instances[0].world_from_object = glm::translate(glm::dmat4(1), {8, -2, 0.5});
     made.prepare(scene);
@@ -341,8 +312,7 @@ TEST(SurfaceCodes, StayWhileInstancesMoveAndForFacesTurnedOver) {
 }
 
 TEST(SurfaceCodes, AnEmptySceneHasNone) {
-    SurfaceCodes made(options());
-    made.prepare(scene::Scene{});
+    SurfaceCodes made = prepared({});
     EXPECT_TRUE(made.codes({}).empty());
     EXPECT_EQ(made.largest_object(), 0);
 }

@@ -23,9 +23,9 @@ TEST(Template, DrawsACubeInBothProjections) {
         const scene::View view = view_from(scene, {3, 2, 5}, {0, 0, 0}, {310, 230}, projection);
         const core::Image<std::uint8_t> truth = truth::trace_truth(scene, view, {}).labels;
         for (const core::ParamValues& settings : info.sweep) {
-            const edge::EdgeImage one = drawn(*info.make(settings), scene, {view, 1});
+            const edge::EdgeImage one = drawn(info, settings, scene, {view, 1});
             EXPECT_GT(f_within_two_px(one, truth), 0.99);
-            EXPECT_EQ(drawn(*info.make(settings), scene, {view, 3}), one);
+            EXPECT_EQ(drawn(info, settings, scene, {view, 3}), one);
         }
     }
 }

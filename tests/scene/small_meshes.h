@@ -24,6 +24,14 @@ inline Mesh unit_cube() {
     return mesh;
 }
 
+/// Adds the parallelogram between p + u and p + v as two triangles.
+inline void add_quad(Mesh& mesh, const glm::vec3& p, const glm::vec3& u, const glm::vec3& v) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {p, p + u, p + u + v, p + v});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
 /// `mesh` placed once, untransformed.
 inline Scene scene_of(Mesh mesh) {
     Scene scene;
