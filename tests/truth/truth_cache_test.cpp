@@ -157,6 +157,7 @@ TEST_F(Cache, KeyDependsOnAllThatChangesTheTruth) {
     EXPECT_FALSE(changed([](auto&, auto&, auto&) {}));
     EXPECT_FALSE(changed([](auto&, auto&, auto& options) { options.threads = 7; }));
     EXPECT_TRUE(changed([](auto&, auto&, auto& options) { options.crease_rad = 0.5; }));
+    EXPECT_TRUE(changed([](auto&, auto&, auto& options) { options.weld_epsilon = 0.5; }));
     EXPECT_TRUE(
         changed([](auto&, auto&, auto& options) { options.creases = scene::CreaseSource::file; }));
     EXPECT_TRUE(changed([](auto&, auto&, auto& options) { options.layers = false; }));
