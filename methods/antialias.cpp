@@ -141,6 +141,12 @@ std::vector<Antialias> parse_antialias(const std::vector<core::GivenText>& names
     return choices;
 }
 
+bool draws_ink(const method::MethodInfo& info) {
+    return std::any_of(info.params.begin(), info.params.end(), [](const core::Param& param) {
+        return param.name == "threshold" && param.unit == kShareUnit;
+    });
+}
+
 int samples_per_side(Antialias antialias) {
     return 1 << static_cast<int>(antialias);
 }
@@ -162,7 +168,11 @@ scene::View enlarged(scene::View view, int n) {
 method::MethodConfig antialiased(const method::MethodConfig& config,
                                  Antialias antialias,
                                  double line_width_px) {
-    if (antialias == Antialias::none) return config;
+    if (antialias == Antialias::none) {
+        method::MethodConfig own = config;
+        own.is_grey = draws_ink(*config.info);
+        return own;
+    }
     const std::string_view word = kAntialiasNames[static_cast<std::size_t>(antialias)];
     const auto& params = config.info->params;
     const int n = samples_per_side(antialias);

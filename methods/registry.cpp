@@ -35,6 +35,8 @@
     X(surface8) \
     X(surface8_depth) \
     X(surface_lookup) \
+    X(strokes) \
+    X(chords) \
     X(auto)
 // clang-format on
 

@@ -33,6 +33,22 @@ class ScreenMesh::Glance {
     [[nodiscard]] double s() const { return s_; }
     [[nodiscard]] Twin twin() const { return screen_.mesh_->faces[at_].twins[exit_]; }
     [[nodiscard]] std::uint32_t face() const { return at_; }
+    /// Whether nothing of that surface is seen beyond the line.
+    [[nodiscard]] bool is_at_border() const {
+        return is_line_ && (twin().is_nothing() || !screen_.is_open(at_, twin()));
+    }
+    /// That line.
+    [[nodiscard]] Crossing crossing() const {
+        const LookupFace& face = screen_.mesh_->faces[at_];
+        const LineKind border = twin().is_nothing() ? LineKind::boundary : LineKind::contour;
+        const double q_from = screen_.q_[face.vertices[exit_]];
+        const double q_to = screen_.q_[face.vertices[(exit_ + 1) % 3]];
+        return {.face = at_,
+                .edge = static_cast<std::uint8_t>(exit_),
+                .kind = is_at_border() ? border : face.kinds[exit_],
+                .s = static_cast<float>(s_),
+                .q = static_cast<float>(q_from + t_ * (q_to - q_from))};
+    }
 
   private:
     [[nodiscard]] glm::ivec2 place(std::size_t corner) const {
@@ -92,6 +108,7 @@ class ScreenMesh::Glance {
         const std::int64_t along_q = is_down_ ? q.y - y_ : q.x - x_;
         s_ = sign_ * static_cast<double>(along_p * height_q - along_q * height_p) /
              (256 * static_cast<double>(height_q - height_p));
+        t_ = static_cast<double>(height_p) / static_cast<double>(height_p - height_q);
         is_line_ = s_ < kFarthest;
     }
 
@@ -104,6 +121,7 @@ class ScreenMesh::Glance {
     bool has_arrived_ = false;
     bool is_line_ = false;
     double s_ = 0;
+    double t_ = 0;  ///< of the edge, from its first end
 };
 
 ScreenMesh::Glimpse ScreenMesh::glimpse(const SampleSide& side) const {
@@ -123,6 +141,42 @@ ScreenMesh::Glimpse ScreenMesh::glimpse(const SampleSide& side) const {
     if (there.s() + back.s() >= 1 - kMeeting) return Glimpse::unknown;
     // Two boundaries may be the sides of a crack.
     return twin.is_nothing() && other.is_nothing() ? Glimpse::unknown : Glimpse::line;
+}
+
+/// Finds the lines of a side that is plain: one edge that both samples' faces come to, or borders
+/// that leave a gap.
+bool ScreenMesh::glimpse_lines(const SampleSide& side, SideLines& lines) const {
+    const auto add_back = [&](const Glance& back) {
+        Crossing crossing = back.crossing();
+        crossing.s = 1 - crossing.s;
+        lines.add(crossing);
+    };
+    if (side.first == kNoNeighbour || side.second == kNoNeighbour) {
+        const bool is_back = side.first == kNoNeighbour;
+        const Glance from_face(*this, side, is_back);
+        if (!from_face.is_at_border()) return false;
+        is_back ? add_back(from_face) : lines.add(from_face.crossing());
+        return true;
+    }
+    const Glance there(*this, side, false);
+    if (there.has_arrived()) return true;
+    const Glance back(*this, side, true);
+    if (back.has_arrived()) return true;
+    if (!there.is_line() || !back.is_line()) return false;
+    const Twin twin = there.twin(), other = back.twin();
+    const bool is_one_edge = !twin.is_nothing() && !other.is_nothing() &&
+                             twin.face() == back.face() && other.face() == there.face();
+    if (is_one_edge) {
+        lines.add(there.crossing());
+        return true;
+    }
+    const bool has_gap = there.is_at_border() && back.is_at_border() &&
+                         there.s() + back.s() < 1 - kMeeting &&
+                         !(twin.is_nothing() && other.is_nothing());
+    if (!has_gap) return false;
+    lines.add(there.crossing());
+    add_back(back);
+    return true;
 }
 
 }  // namespace ink::methods

@@ -39,7 +39,7 @@ class SideLookup {
     void mark_lines(LineBits& lines) const {
         lines.clear();
         SideList list;
-        list_sides(words_, classes_ == nullptr ? rule_ : nullptr, lines, list);
+        list_sides(words_, classes_ == nullptr ? rule_ : nullptr, &lines, list);
         if (classes_ != nullptr || !words_.has_corners) {
             for (std::size_t i = 0; i < list.count; ++i)
                 mark_one(list.places[i], lines);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -29,6 +30,31 @@ struct FoundLine {
     double s = 0.5;
 };
 
+/// A line between two samples, and what it is the line of: an edge of a face, or the intersection
+/// of two faces.
+struct Crossing {
+    static constexpr std::uint8_t kIntersection = 3;
+    static constexpr std::uint8_t kUnknown = 4;  ///< there is a line, and no more is known
+
+    std::uint32_t face = kNoNeighbour;
+    std::uint32_t other = kNoNeighbour;  ///< of an intersection
+    std::uint8_t edge = kUnknown;        ///< 0..2 of `face`, or one of the above
+    LineKind kind = LineKind::none;
+    float s = 0.5F;  ///< 0..1 from the first sample to the second
+    float q = 0;     ///< 1/w there; 0 where it is not known
+};
+
+/// The lines between two samples, from the first on. Those that find no room are left out.
+struct SideLines {
+    std::array<Crossing, 8> crossings;
+    std::size_t count = 0;
+
+    void add(const Crossing& crossing) {
+        if (count < crossings.size()) crossings[count++] = crossing;
+    }
+    [[nodiscard]] std::span<const Crossing> all() const { return {crossings.data(), count}; }
+};
+
 /// How lines are looked for.
 struct WalkOptions {
     double crease_rad = 0;
@@ -52,6 +78,10 @@ class ScreenMesh {
     /// else the nearer of the lines that ended them; else the two surfaces cross in between.
     [[nodiscard]] FoundLine line_between(const SampleSide& side) const;
 
+    /// All lines between two samples that differ, those included over which the surface goes on,
+    /// and what each is the line of. line_between() tells of the same sides whether there is one.
+    [[nodiscard]] SideLines lines_between(const SampleSide& side) const;
+
     /// What can be told of a side without depths and classes.
     enum class Glimpse { unknown, none, line };
     /// As line_between() has it, wherever it is not `unknown`; a fraction of its time.
@@ -64,9 +94,22 @@ class ScreenMesh {
     /// if none does.
     [[nodiscard]] std::span<const std::uint8_t> is_cut() const { return is_cut_; }
 
+    /// A vertex as scene::Projection has it: x/w and y/w are px.
+    [[nodiscard]] glm::dvec3 p_clip(std::uint32_t vertex) const {
+        return transform_.to_clip(mesh_->p_world[vertex]);
+    }
+    [[nodiscard]] double crease_rad() const { return options_.crease_rad; }
+    /// The least w that is drawn.
+    [[nodiscard]] double near() const { return near_; }
+    [[nodiscard]] const scene::Projection& projection() const { return *projection_; }
+
   private:
+    /// Relative: what the depth test cannot tell apart.
+    static constexpr double kSameDepth = 1e-6;
+
     class Walk;
     class Glance;
+    class SideSearch;
 
     /// A vertex on the screen. What cannot be put there is told by the clip space.
     struct Vertex {
@@ -82,9 +125,6 @@ class ScreenMesh {
         return {q_[i], places_[i].x, places_[i].y};
     }
     [[nodiscard]] int side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) const;
-    [[nodiscard]] glm::dvec3 p_clip(std::uint32_t vertex) const {
-        return transform_.to_clip(mesh_->p_world[vertex]);
-    }
     [[nodiscard]] bool is_open(std::uint32_t face, Twin twin) const {
         return twin.is_open(facing_[face], facing_[twin.face()]);
     }
@@ -92,7 +132,12 @@ class ScreenMesh {
                               bool is_second,
                               std::uint32_t seen,
                               std::uint32_t other) const;
+    [[nodiscard]] bool goes_on(const SampleSide& side,
+                               const Walk& walk,
+                               const Walk& other,
+                               bool is_second) const;
     [[nodiscard]] bool is_crack(const Walk& there, const Walk& back) const;
+    [[nodiscard]] bool glimpse_lines(const SampleSide& side, SideLines& lines) const;
     [[nodiscard]] FoundLine between_surfaces(const SampleSide& side,
                                              const Walk& there,
                                              const Walk& back) const;

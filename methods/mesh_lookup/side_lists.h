@@ -84,11 +84,11 @@ struct WordTile {
 };
 
 /// Lists the sides of a tile whose samples differ in their faces, but for those over an edge that
-/// is no line from here. With a `rule`, which is for corners, what codes and depths tell is left
-/// out, too, and sides that they call a line set their pixels in `lines`; but not at a face that
-/// the near plane cuts: the cut is no line, which the mesh alone knows. Row by row. The same on
-/// every SIMD target.
-void list_sides(const WordTile& words, const CodeRule* rule, LineBits& lines, SideList& list);
+/// is no line from here. With a `rule`, which is for corners, what codes and depths call none is
+/// left out, too. What they call a line, and all sides to the sky, are not listed but set their
+/// pixels in `lines`, unless that is null; but not at a face that the near plane cuts: the cut is
+/// no line, which the mesh alone knows. Row by row. The same on every SIMD target.
+void list_sides(const WordTile& words, const CodeRule* rule, LineBits* lines, SideList& list);
 
 /// Writes 255 for each bit and 0 for the others, `width_px` of them.
 void write_bits(std::uint64_t bits, int width_px, std::uint8_t* out);

@@ -130,8 +130,9 @@ HWY_INLINE std::uint64_t list_cut(const WordTile& words,
     return others;
 }
 
-void list_in(const WordTile& words, const CodeRule* rule, LineBits& lines, SideList& list) {
+void list_in(const WordTile& words, const CodeRule* rule, LineBits* lines, SideList& list) {
     const raster::Tile& tile = words.tile;
+    const bool lists_all = rule == nullptr || lines == nullptr;
     const int first = words.has_corners ? 0 : -1;
     for (int y = first; y <= tile.height_px; ++y) {
         const bool has_below = y < tile.height_px;
@@ -169,7 +170,10 @@ void list_in(const WordTile& words, const CodeRule* rule, LineBits& lines, SideL
                         judge(d, *rule, a, c, q + x, tile.stride, down, more);
                         sure_down = hn::Or(sure_down, more);
                     }
-                    if (!hn::AllFalse(d, hn::Or(sure_right, sure_down))) {
+                    if (lists_all) {
+                        right = hn::Or(right, hn::AndNot(sky_right, sure_right));
+                        down = hn::Or(down, hn::AndNot(sky_down, sure_down));
+                    } else if (!hn::AllFalse(d, hn::Or(sure_right, sure_down))) {
                         const auto others = [&](auto sure, const auto* second, unsigned is_down)
                                                 HWY_ATTR {
                                                     return list_cut(words,
@@ -179,15 +183,16 @@ void list_in(const WordTile& words, const CodeRule* rule, LineBits& lines, SideL
                                                                     place | is_down,
                                                                     list);
                                                 };
-                        lines.set_right(x, y, others(sure_right, here + 1, 0));
-                        lines.set_down(x, y, others(sure_down, below, 1));
+                        lines->set_right(x, y, others(sure_right, here + 1, 0));
+                        lines->set_down(x, y, others(sure_down, below, 1));
                     }
-                    if (hn::AllFalse(d, hn::Or(right, down))) return;
-                } else if (!hn::AllFalse(d, hn::Or(sky_right, sky_down))) {
+                }
+                if (lists_all && !hn::AllFalse(d, hn::Or(sky_right, sky_down))) {
                     auto* to = list.places.data();
                     list.count += pack(d, sky_right, places, to + list.count);
                     list.count += pack(d, sky_down, places_down, to + list.count);
                 }
+                if (hn::AllFalse(d, hn::Or(right, down))) return;
                 append(d, right, a, b, places, row);
                 append(d, down, a, c, places_down, row);
             },
@@ -219,7 +224,7 @@ HWY_EXPORT(write_in);
 
 }  // namespace
 
-void list_sides(const WordTile& words, const CodeRule* rule, LineBits& lines, SideList& list) {
+void list_sides(const WordTile& words, const CodeRule* rule, LineBits* lines, SideList& list) {
     list.count = 0;
     HWY_DYNAMIC_DISPATCH(list_in)(words, rule, lines, list);
 }

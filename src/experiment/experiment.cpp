@@ -14,6 +14,21 @@
 #include "harness/suite/suite.h"
 
 namespace ink::experiment {
+namespace {
+
+/// Lets methods that draw ink draw lines as wide as the true ones, unless the user said how wide.
+void follow_line_width(double line_width_px, std::vector<method::MethodConfig>& configs) {
+    for (method::MethodConfig& config : configs) {
+        if (!methods::draws_ink(*config.info)) continue;
+        for (const core::Param& param : config.info->params) {
+            if (param.name != "width_px" || line_width_px == param.default_value) continue;
+            const double width_px = std::clamp(line_width_px, param.min, param.max);
+            config.settings.try_emplace(param.name, core::format_param(param, width_px));
+        }
+    }
+}
+
+}  // namespace
 
 std::string_view name(ExperimentKind kind) {
     constexpr std::array<std::string_view, 5> kNames = {
@@ -97,6 +112,7 @@ std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
         }
     }
     methods::follow_crease(experiment.crease_deg, configs);
+    if (experiment.compare.coverage) follow_line_width(experiment.compare.line_width_px, configs);
     return methods::at_each_antialias(
         configs, experiment.compare.antialias, experiment.compare.line_width_px);
 }

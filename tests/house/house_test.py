@@ -126,7 +126,8 @@ def check_arrows(tree):
             why = "is none of the rooms' includes"
         elif room == to == "methods":
             # What several methods share has a folder, and is no method.
-            shared = target.count("/") < 2 or target.split("/")[1] in ("mesh_lookup", "surface_codes")
+            shared = target.count("/") < 2 or target.split("/")[1] in (
+                "grey_lines", "mesh_lookup", "surface_codes")
             own = target.split("/")[1] == path.split("/")[1]
             why = "" if shared or own else "is another method"
         elif to != room and to in table and not {to, target} & table[room]:
@@ -216,8 +217,8 @@ def check_methods(tree):
         return
     for folder in sorted(folders_of(tree)):
         # One that begins with _ is a template; `outside` has programs that drive others' methods,
-        # `mesh_lookup` and `surface_codes` what several methods share.
-        match = re.fullmatch(r"methods/(?!_|outside|mesh_lookup|surface_codes)(\w+)", folder)
+        # `grey_lines`, `mesh_lookup` and `surface_codes` what several methods share.
+        match = re.fullmatch(r"methods/(?!_|outside|grey_lines|mesh_lookup|surface_codes)(\w+)", folder)
         if match is None:
             continue
         name = match.group(1)

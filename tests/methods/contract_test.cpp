@@ -168,8 +168,14 @@ scene::Scene moving_cube_on_floor() {
 
 /// What a method prepares of a pose that stays while the scene moves: its codes.
 bool keeps_codes(const std::string& name) {
-    static const std::set<std::string> kCoded = {
-        "auto", "label8", "label_plane", "surface8", "surface8_depth", "surface_lookup"};
+    static const std::set<std::string> kCoded = {"auto",
+                                                 "label8",
+                                                 "label_plane",
+                                                 "surface8",
+                                                 "surface8_depth",
+                                                 "surface_lookup",
+                                                 "strokes",
+                                                 "chords"};
     return kCoded.contains(name);
 }
 

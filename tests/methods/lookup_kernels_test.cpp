@@ -165,7 +165,8 @@ class PlainSides {
     std::multiset<std::uint32_t> places;
     std::set<std::pair<int, int>> pixels;
 
-    PlainSides(const WordTile& words, const CodeRule* rule) : words_(words), rule_(rule) {
+    PlainSides(const WordTile& words, const CodeRule* rule, bool lists_lines)
+        : words_(words), rule_(rule), lists_lines_(lists_lines) {
         const int first = words.has_corners ? 0 : -1;
         for (int y = first; y <= words.tile.height_px; ++y) {
             for (int x = first; x <= words.tile.width_px; ++x) {
@@ -203,16 +204,16 @@ class PlainSides {
             const bool is_sure =
                 has_sky || (apart >= rule_->trust && !is_flagged &&
                             std::max(bend_a, bend_b) > least(rule_->flat, nearest));
-            if (is_sure && (is_cut(a) || is_cut(b))) {
+            if (is_sure && !lists_lines_ && (is_cut(a) || is_cut(b))) {
                 places.insert(place);
                 return;
             }
-            if (is_sure) {
+            if (is_sure && !lists_lines_) {
                 pixels.insert({x, y});
                 pixels.insert(is_down ? std::pair{x - 1, y} : std::pair{x, y - 1});
                 return;
             }
-            if (apart < 2 && !is_flagged &&
+            if (!is_sure && apart < 2 && !is_flagged &&
                 !(std::min(bend_a, bend_b) > least(rule_->jump, nearest)))
                 return;
         }
@@ -235,6 +236,7 @@ class PlainSides {
 
     const WordTile& words_;
     const CodeRule* rule_;
+    bool lists_lines_;
 };
 
 TEST(ListSides, AreThoseOfThePlainRule) {
@@ -248,8 +250,9 @@ TEST(ListSides, AreThoseOfThePlainRule) {
     for (const glm::ivec2 size : {glm::ivec2{64, 64}, {1, 1}, {17, 5}, {63, 2}, {3, 64}}) {
         for (const bool has_codes : {false, true}) {
             const AnyTile any(size, kFaces, has_codes, static_cast<unsigned>(size.x));
-            // Corners, corners of a scene that the near plane cuts, and centres.
-            for (const int kind : {0, 1, 2}) {
+            // Corners, corners of a scene that the near plane cuts, centres, and corners of which
+            // lines are listed, too.
+            for (const int kind : {0, 1, 2, 3}) {
                 const bool has_corners = kind != 2;
                 const CodeRule* const used = has_codes && has_corners ? &rule : nullptr;
                 const WordTile words{
@@ -259,12 +262,12 @@ TEST(ListSides, AreThoseOfThePlainRule) {
                     .faces = mesh.faces,
                     .facing = facing,
                     .is_cut = std::span(is_cut).first(kind == 1 ? kFaces : 0)};
-                const PlainSides expected(words, used);
+                const PlainSides expected(words, used, kind == 3);
                 on_every_target([&] {
                     LineBits lines;
                     lines.clear();
                     SideList list;
-                    list_sides(words, used, lines, list);
+                    list_sides(words, used, kind == 3 ? nullptr : &lines, list);
                     EXPECT_EQ(std::multiset<std::uint32_t>(
                                   list.places.begin(),
                                   list.places.begin() + static_cast<std::ptrdiff_t>(list.count)),

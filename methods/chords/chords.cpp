@@ -1,0 +1,138 @@
+// New here: where a side between two samples crosses lines is all that is kept, and chords between
+// these crossings are drawn. The second pass asks no mesh.
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods/grey_lines/ink_method.h"
+#include "methods/grey_lines/lined_sides.h"
+
+namespace ink::methods {
+namespace {
+
+/// A crossing of a side with a line, in three bytes.
+struct ChordEnd {
+    std::uint8_t place = 0;  ///< from the first sample to the second
+    std::uint8_t edge = 0;   ///< a few bits of which edge it is, so that ends of one are joined
+    std::uint8_t width = 0;  ///< of the widest
+};
+
+class Chords : public InkMethod {
+  public:
+    using Params = InkParams;
+    static core::ParamTable<Params> table() {
+        core::ParamTable<Params> table;
+        return add_ink_params(table);
+    }
+    explicit Chords(const Params& params)
+        : InkMethod(params), most_half_px_(static_cast<float>(params.width_px / 2)) {}
+
+  private:
+    static constexpr std::size_t kMostOfSide = 2;
+    static constexpr std::size_t kMostOfCell = 4 * kMostOfSide;
+    /// A crossing in the frame.
+    struct Crossed {
+        glm::dvec2 at{0};
+        float half_px = 0;
+        std::uint8_t edge = 0;
+    };
+
+    void begin(int width_px, int height_px) override { sides_.reset(width_px, height_px); }
+
+    void look(const raster::Tile& tile) override {
+        const LineWidths widths = this->widths();
+        each_lined_side(tile, [&](int x, int y, bool is_down, const SideLines& lines) {
+            std::array<ChordEnd, kMostOfSide> ends;
+            std::size_t count = 0;
+            for (const Crossing& line : lines.all()) {
+                const float half_px = widths.half_px(line.kind, line.q);
+                if (count < kMostOfSide && half_px > 0) ends[count++] = end_of(line, half_px);
+            }
+            sides_.add(x, y, is_down, std::span(ends).first(count));
+        });
+    }
+
+    [[nodiscard]] ChordEnd end_of(const Crossing& line, float half_px) const {
+        const auto byte = [](double share) {
+            return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+        };
+        return {byte(line.s), name_of(line), byte(half_px / most_half_px_)};
+    }
+
+    /// 1 to 255 of an edge, whichever of its faces it was found on; 0 of what has none.
+    [[nodiscard]] std::uint8_t name_of(const Crossing& line) const {
+        if (line.edge >= Crossing::kIntersection) return 0;
+        const auto& v = pass().screen().mesh().faces[line.face].vertices;
+        const std::uint32_t a = v[line.edge], b = v[(line.edge + 1) % 3];
+        const std::uint32_t mixed = std::min(a, b) * 0x9e3779b1U + std::max(a, b) * 0x85ebca6bU;
+        return static_cast<std::uint8_t>(1 + (mixed >> 16) % 255);
+    }
+
+    void join(std::size_t tile, std::vector<Piece>& pieces) override {
+        sides_.each_cell(tile, [&](int x, int y) {
+            std::array<Crossed, kMostOfCell> crossed;
+            std::size_t count = 0;
+            const auto add = [&](int dx, int dy, bool is_down) {
+                for (const ChordEnd& end : sides_.at(x + dx, y + dy, is_down)) {
+                    const double s = end.place / 255.0;
+                    crossed[count++] = {
+                        .at = {x + dx + (is_down ? 0 : s), y + dy + (is_down ? s : 0)},
+                        .half_px = most_half_px_ * static_cast<float>(end.width) / 255,
+                        .edge = end.edge};
+                }
+            };
+            add(0, 0, false);
+            add(1, 0, true);
+            add(0, 1, false);
+            add(0, 0, true);
+            join_cell({x + 0.5, y + 0.5}, std::span(crossed).first(count), pieces);
+        });
+    }
+
+    static Piece chord(const Crossed& from, const Crossed& to) {
+        return {from.at, to.at, from.half_px, to.half_px};
+    }
+
+    /// Ends of one edge are joined; of others two by a straight line, more over their middle.
+    static void join_cell(const glm::dvec2& middle,
+                          std::span<Crossed> crossed,
+                          std::vector<Piece>& pieces) {
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < crossed.size(); ++i) {
+            const auto known =
+                std::find_if(crossed.begin(),
+                             crossed.begin() + static_cast<std::ptrdiff_t>(left),
+                             [&](const Crossed& other) {
+                                 return other.edge != 0 && other.edge == crossed[i].edge;
+                             });
+            if (known == crossed.begin() + static_cast<std::ptrdiff_t>(left)) {
+                crossed[left++] = crossed[i];
+                continue;
+            }
+            pieces.push_back(chord(*known, crossed[i]));
+            std::copy(known + 1, crossed.begin() + static_cast<std::ptrdiff_t>(left), known);
+            --left;
+        }
+        const std::span<Crossed> rest = crossed.first(left);
+        if (rest.size() == 2) return pieces.push_back(chord(rest[0], rest[1]));
+        Crossed star{.at = rest.size() == 1 ? middle : glm::dvec2(0)};
+        for (const Crossed& end : rest) {
+            if (rest.size() > 1) star.at += end.at / static_cast<double>(rest.size());
+        }
+        for (const Crossed& end : rest) {
+            star.half_px = end.half_px;
+            pieces.push_back(chord(end, star));
+        }
+    }
+
+    float most_half_px_;
+    LinedSides<ChordEnd> sides_;
+};
+
+}  // namespace
+
+method::MethodInfo chords_method() {
+    return method::method_info<Chords>("chords");
+}
+
+}  // namespace ink::methods

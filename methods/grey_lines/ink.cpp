@@ -1,0 +1,96 @@
+#include "methods/grey_lines/ink.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "raster/pass/pass.h"
+
+namespace ink::methods {
+namespace {
+
+using raster::kTileSize_px;
+
+/// How far a pen reaches beyond its radius into what is asked of a quarter of a pixel, and a bit.
+constexpr double kReach_px = 0.37;
+
+InkPiece seen_from(const Piece& piece, const glm::ivec2& origin) {
+    const glm::dvec2 a = piece.a - glm::dvec2(origin), way = piece.b - piece.a;
+    InkPiece ink{.x = static_cast<float>(a.x),
+                 .y = static_cast<float>(a.y),
+                 .dx = static_cast<float>(way.x),
+                 .dy = static_cast<float>(way.y),
+                 .half_px = piece.half_a_px,
+                 .half_more_px = piece.half_b_px - piece.half_a_px};
+    const float length2 = ink.dx * ink.dx + ink.dy * ink.dy;
+    ink.per_length2 = length2 > 1e-12F ? 1 / length2 : 0;
+    return ink;
+}
+
+/// The pieces that other tiles than their own need.
+class Guests {
+  public:
+    Guests(const std::vector<std::vector<Piece>>& of_tiles, int columns)
+        : columns_(columns), of_(of_tiles.size()) {
+        for (std::size_t tile = 0; tile < of_tiles.size(); ++tile)
+            for (const Piece& piece : of_tiles[tile])
+                send(piece, static_cast<int>(tile));
+    }
+    [[nodiscard]] const std::vector<const Piece*>& of(std::size_t tile) const { return of_[tile]; }
+
+  private:
+    void send(const Piece& piece, int own) {
+        const double reach = std::max(piece.half_a_px, piece.half_b_px) + kReach_px;
+        const auto tile = [&](double at) {
+            return static_cast<int>(std::floor(at)) >> std::countr_zero(unsigned{kTileSize_px});
+        };
+        const int rows = static_cast<int>(of_.size()) / columns_;
+        const int x0 = std::max(tile(std::min(piece.a.x, piece.b.x) - reach), 0);
+        const int y0 = std::max(tile(std::min(piece.a.y, piece.b.y) - reach), 0);
+        const int x1 = std::min(tile(std::max(piece.a.x, piece.b.x) + reach), columns_ - 1);
+        const int y1 = std::min(tile(std::max(piece.a.y, piece.b.y) + reach), rows - 1);
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x)
+                if (y * columns_ + x != own)
+                    of_[static_cast<std::size_t>(y * columns_ + x)].push_back(&piece);
+    }
+
+    int columns_;
+    std::vector<std::vector<const Piece*>> of_;
+};
+
+/// The pixels of a tile of cells that the image has.
+InkTile pixels_of(const glm::ivec2& cells, int margin_px, glm::ivec2& first, edge::EdgeImage& out) {
+    const auto clip = [&](int at, int size) { return std::clamp(at - margin_px, 0, size); };
+    first = {clip(cells.x, out.width_px()), clip(cells.y, out.height_px())};
+    return {.first = out.data() + first.y * std::ptrdiff_t{out.width_px()} + first.x,
+            .stride = out.width_px(),
+            .width_px = clip(cells.x + kTileSize_px, out.width_px()) - first.x,
+            .height_px = clip(cells.y + kTileSize_px, out.height_px()) - first.y};
+}
+
+}  // namespace
+
+void draw_pieces(const std::vector<std::vector<Piece>>& of_tiles,
+                 const InkFrame& frame,
+                 edge::EdgeImage& out) {
+    const Guests guests(of_tiles, frame.columns);
+    core::parallel_for(of_tiles.size(), frame.threads, [&](std::size_t i) {
+        const int tile = static_cast<int>(i);
+        const glm::ivec2 cells =
+            kTileSize_px * glm::ivec2(tile % frame.columns, tile / frame.columns);
+        glm::ivec2 first;
+        const InkTile pixels = pixels_of(cells, frame.margin_px, first, out);
+        if (pixels.width_px == 0 || pixels.height_px == 0) return;
+        std::vector<InkPiece> pieces;
+        pieces.reserve(of_tiles[i].size() + guests.of(i).size());
+        const glm::ivec2 origin = first + frame.margin_px;
+        for (const Piece& piece : of_tiles[i])
+            pieces.push_back(seen_from(piece, origin));
+        for (const Piece* piece : guests.of(i))
+            pieces.push_back(seen_from(*piece, origin));
+        draw_ink(pieces, pixels);
+    });
+}
+
+}  // namespace ink::methods

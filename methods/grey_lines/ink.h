@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "edge/edge_image.h"
+#include "methods/grey_lines/piece.h"
+
+namespace ink::methods {
+
+/// A piece from (x, y), in px from the corner of a tile, and what is always asked of it.
+struct InkPiece {
+    float x = 0, y = 0;
+    float dx = 0, dy = 0;    ///< to its other end
+    float per_length2 = 0;   ///< 1 / (dx^2 + dy^2); 0 of a point
+    float half_px = 0;       ///< half its width at (x, y)
+    float half_more_px = 0;  ///< and how much more at the other end
+};
+
+/// A tile of an image, row by row.
+struct InkTile {
+    std::uint8_t* first = nullptr;
+    std::ptrdiff_t stride = 0;
+    int width_px = 0;  ///< at most 64, as the height
+    int height_px = 0;
+};
+
+/// Writes 255 times the share of every pixel that pieces cover: of each quarter of a pixel the
+/// share within the two sides, as good as straight, of the stroke that reaches furthest over its
+/// middle. Nothing counts twice. The same on every SIMD target.
+void draw_ink(std::span<const InkPiece> pieces, const InkTile& tile);
+
+/// Where the frame's pixels are among samples: pixel (0, 0) is the cell of this sample.
+struct InkFrame {
+    int columns = 0;    ///< tiles of samples
+    int margin_px = 0;  ///< cells before the first pixel
+    int threads = 1;
+};
+
+/// Draws the pieces of all tiles of samples, which may reach into other tiles, into every pixel of
+/// an image. The same for every number of threads.
+void draw_pieces(const std::vector<std::vector<Piece>>& of_tiles,
+                 const InkFrame& frame,
+                 edge::EdgeImage& out);
+
+}  // namespace ink::methods

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "buffers/surface_method.h"
+#include "methods/antialias.h"
+#include "methods/grey_lines/line_widths.h"
+#include "methods/grey_lines/piece.h"
+#include "methods/mesh_lookup/lookup_method.h"
+
+namespace ink::methods {
+
+struct InkParams : LookupParams, WidthParams {
+    double jump_px = 0.1;  // that of surface_lookup
+};
+
+/// Appends the rows of InkParams to a table whose struct derives from it.
+template <class P>
+core::ParamTable<P>& add_ink_params(core::ParamTable<P>& table) {
+    return add_lookup_params(add_width_params(table))
+        .number(&P::jump_px,
+                "jump_px",
+                {0, 1000},
+                "px",
+                "Least step of depth, beyond what the surface goes on by at either sample, that is "
+                "looked up; as long as so many pixels are there.")
+        .number(&P::threshold, "threshold", {1, 255}, kShareUnit, "Least share of a line pixel.");
+}
+
+/// A method that draws the lines behind the samples of surface_lookup as ink.
+///
+/// Its samples are pixel corners, as many more round the frame as a line just outside needs to
+/// reach in. Each finished tile is walked between its samples; then every cell between four samples
+/// makes pieces of lines of what was found on its sides; then these are drawn.
+class InkMethod : public buffers::SurfaceMethod<LookupPass> {
+  protected:
+    explicit InkMethod(const InkParams& params);
+
+    /// Called first, for a frame of so many samples.
+    virtual void begin(int width_px, int height_px) = 0;
+    /// Finds the lines of a tile that is not empty. From several threads, each with its own tile.
+    virtual void look(const raster::Tile& tile) = 0;
+    /// Appends the pieces of all cells of tile `tile`, once all tiles were looked at. Likewise.
+    virtual void join(std::size_t tile, std::vector<Piece>& pieces) = 0;
+
+    /// The widths in the frame that is drawn.
+    [[nodiscard]] LineWidths widths() const { return {params_, pass().inputs().range()}; }
+    /// Calls found(x, y, is_down, lines) for each side of a tile between whose samples lines are,
+    /// in the order that LinedSides asks for; (x, y) is of the frame.
+    template <class Found>
+    void each_lined_side(const raster::Tile& tile, const Found& found) const;
+
+  private:
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) final;
+    [[nodiscard]] method::PixelBytes filter_bytes() const override { return {8, 1}; }
+
+    WidthParams params_;
+    std::vector<std::vector<Piece>> pieces_;  ///< by tiles; kept, for they are as many again
+};
+
+/// The sides of a tile that are walked, a bit each.
+struct AskedSides {
+    std::array<std::uint64_t, raster::kTileSize_px> right{}, down{};
+
+    AskedSides(const LookupPass& pass, const raster::Tile& tile);
+};
+
+template <class Found>
+void InkMethod::each_lined_side(const raster::Tile& tile, const Found& found) const {
+    const AskedSides asked(pass(), tile);
+    const auto face = [](std::uint32_t word) {
+        return word == kNoNeighbour ? word : word & LookupWord::kFaceOfCoded;
+    };
+    for (int y = 0; y < tile.height_px; ++y) {
+        const auto* const words = tile.row<std::uint32_t>(0, y);
+        for (const bool is_down : {false, true}) {
+            std::uint64_t bits = (is_down ? asked.down : asked.right)[static_cast<std::size_t>(y)];
+            for (; bits != 0; bits &= bits - 1) {
+                const int x = std::countr_zero(bits);
+                const SampleSide side{tile.x0_px + x,
+                                      tile.y0_px + y,
+                                      is_down,
+                                      face(words[x]),
+                                      face(words[is_down ? x + tile.stride : x + 1])};
+                const SideLines lines = pass().screen().lines_between(side);
+                if (lines.count > 0) found(side.x, side.y, is_down, lines);
+            }
+        }
+    }
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace ink::methods {
+
+/// A straight piece of a line, no longer than a pixel's diagonal, in samples: sample (x, y) lies at
+/// (x, y). A round pen draws it, whose radius runs evenly from the one end to the other.
+struct Piece {
+    glm::dvec2 a{0};
+    glm::dvec2 b{0};
+    float half_a_px = 0;
+    float half_b_px = 0;
+};
+
+}  // namespace ink::methods

@@ -1,0 +1,286 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "methods/mesh_lookup/screen_mesh.h"
+
+namespace ink::methods {
+
+/// One walk over the mesh along the line of samples from s = 0 to 1.
+class ScreenMesh::Walk {
+  public:
+    enum class End {
+        arrived,  ///< at the other face
+        line,     ///< at an edge that is one
+        beyond,   ///< past the other sample, on another surface
+        hidden,   ///< at an edge of many, of whose faces another hides the walk's
+        cut,      ///< at the near plane
+        lost,     ///< nowhere: too many steps, or the face does not hold its sample
+    };
+
+    /// Whether a walk ends at any line, or goes on over those at which the surface goes on, too.
+    enum class Ends { at_lines, at_borders };
+
+    /// From the first sample to the second, or back.
+    Walk(const ScreenMesh& screen, const SampleSide& side, bool is_back, Ends ends = Ends::at_lines)
+        : screen_(screen),
+          is_down_(side.is_down),
+          goes_over_(ends == Ends::at_borders),
+          sign_(is_back ? -1 : 1),
+          x_(side.x + (is_back && !side.is_down ? 1 : 0)),
+          y_(side.y + (is_back && side.is_down ? 1 : 0)),
+          at_(is_back ? side.second : side.first),
+          goal_(is_back ? side.first : side.second) {
+        if (at_ != kNoNeighbour) run();
+    }
+
+    [[nodiscard]] End end() const { return end_; }
+    [[nodiscard]] LineKind kind() const { return kind_; }
+    [[nodiscard]] double s() const { return s_; }
+    [[nodiscard]] double q() const { return q_; }
+    /// The last face.
+    [[nodiscard]] std::uint32_t face() const { return at_; }
+    /// The lines that it met, from its own end on. One that ends at borders alone notes them.
+    [[nodiscard]] std::span<const Crossing> lines() const { return {lines_.data(), line_count_}; }
+    /// The face that the walk was on at s.
+    [[nodiscard]] std::uint32_t face_at(double s) const {
+        for (std::size_t i = 0; i < piece_count_; ++i)
+            if (s <= pieces_[i].s1) return pieces_[i].face;
+        return piece_count_ > 0 ? pieces_[piece_count_ - 1].face : at_;
+    }
+    /// Whether the line that ended it hides, or lies on, what the other walk came over there.
+    [[nodiscard]] bool is_in_front_of(const Walk& other) const {
+        const auto q = other.q_at(1 - s_);
+        return !q || q_ >= *q * (1 - kSameDepth);
+    }
+
+    /// 1/w of the surface at s, nothing where the walk did not come or is not known.
+    [[nodiscard]] std::optional<double> q_at(double s) const {
+        if (end_ == End::line && s > s_) return std::nullopt;
+        for (std::size_t i = 0; i < piece_count_; ++i) {
+            const Piece& piece = pieces_[i];
+            if (s > piece.s1 && i + 1 < piece_count_) continue;
+            const double length = piece.s1 - piece.s0;
+            if (!(length > 0)) return piece.q0;
+            return piece.q0 + (piece.q1 - piece.q0) * (s - piece.s0) / length;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    static constexpr double kBeyond_px = 1.0 / 256;  ///< a face is met so far beyond the far sample
+
+    /// A crossing of the line with an edge, from its end above the line to that below.
+    struct Passage {
+        std::uint32_t high = 0;
+        std::uint32_t low = 0;
+        double s = 0;
+        double q = 0;  ///< 1/w; 0 behind the eye
+        double w = 0;  ///< not above 0 behind the eye
+        double u = 0;  ///< s w, which holds there, too
+
+        /// Whether the line meets this edge of a face behind that one, for w of either sign.
+        [[nodiscard]] bool is_ahead_of(const Passage& other) const {
+            return u * other.w > other.u * w;
+        }
+    };
+    struct Piece {
+        double s0, q0, s1, q1;
+        std::uint32_t face;
+    };
+    /// A face and the edge over which the walk came to it.
+    struct Landing {
+        std::uint32_t face = kNoNeighbour;
+        std::size_t edge = 0;
+    };
+
+    /// A sample counts as lying a little to the right of where it is and below, as the rasterizer's
+    /// rule has it: what lies on the line is above it.
+    [[nodiscard]] bool is_high(std::uint32_t vertex) const { return height(vertex) > 0; }
+
+    [[nodiscard]] double height(std::uint32_t vertex) const {
+        const Vertex v = screen_.vertex(vertex);
+        if (v.is_on_screen()) return is_down_ ? v.x - 256 * x_ - 128 : v.y - 256 * y_ - 128;
+        const glm::dvec3 p = screen_.p_clip(vertex);
+        return is_down_ ? p.x - (x_ + 0.5) * p.z : p.y - (y_ + 0.5) * p.z;
+    }
+
+    [[nodiscard]] Passage passage(std::uint32_t high, std::uint32_t low) const {
+        const Vertex a = screen_.vertex(high);
+        const Vertex b = screen_.vertex(low);
+        Passage at{high, low};
+        if (a.is_on_screen() && b.is_on_screen()) {
+            const double ha = height(high), hb = height(low);
+            const double t = ha > hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
+            const double from = is_down_ ? a.y - 256.0 * y_ - 128 : a.x - 256.0 * x_ - 128;
+            const double to = is_down_ ? b.y - 256.0 * y_ - 128 : b.x - 256.0 * x_ - 128;
+            at.s = sign_ * (from + t * (to - from)) / 256;
+            at.q = a.q + t * (b.q - a.q);
+            at.w = 1 / at.q;
+            at.u = at.s * at.w;
+            return at;
+        }
+        const double place = is_down_ ? x_ + 0.5 : y_ + 0.5;
+        const glm::dvec3 begin = screen_.p_clip(high), end = screen_.p_clip(low);
+        const auto clip_height = [&](const glm::dvec3& p) {
+            return (is_down_ ? p.x : p.y) - place * p.z;
+        };
+        const double ha = clip_height(begin), hb = clip_height(end);
+        const double t = ha != hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
+        const glm::dvec3 p = begin + t * (end - begin);
+        at.w = p.z;
+        at.u = sign_ * ((is_down_ ? p.y : p.x) - (0.5 + (is_down_ ? y_ : x_)) * p.z);
+        at.q = at.w > 0 ? 1 / at.w : 0;
+        at.s = at.w > 0 ? at.u / at.w : std::numeric_limits<double>::infinity();
+        return at;
+    }
+
+    /// Edge i of the face; its crossing if its ends lie on both sides.
+    [[nodiscard]] std::optional<Passage> crossing(const LookupFace& face, std::size_t i) const {
+        const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
+        const bool is_a_high = is_high(a);
+        if (is_a_high == is_high(b)) return std::nullopt;
+        return is_a_high ? passage(a, b) : passage(b, a);
+    }
+
+    void run() {
+        std::size_t exit = 0;
+        Passage in, out;
+        if (!start(exit, in, out)) return;
+        for (int step = 0; step < screen_.options_.most_steps; ++step) {
+            note(in, out);
+            if (out.q * screen_.near_ > 1 || out.q <= 0) {
+                end_ = End::cut;
+                return;
+            }
+            if (out.s > 1 + kBeyond_px) {
+                end_ = End::beyond;
+                return;
+            }
+            const Landing next = across(exit, out);
+            if (end_ == End::hidden) return;
+            if (kind_ != LineKind::none && ends_at_line(exit, next, out)) return;
+            at_ = next.face;
+            if (at_ == goal_) {
+                end_ = End::arrived;
+                return;
+            }
+            in = out;
+            exit = leave(next.edge, out);
+        }
+    }
+
+    /// Whether the walk ends at the line in kind_; else it is noted, and the walk goes on.
+    bool ends_at_line(std::size_t exit, const Landing& next, const Passage& out) {
+        if (goes_over_) {
+            const std::size_t to = std::min(line_count_, lines_.size() - 1);
+            lines_[to] = {.face = at_,
+                          .edge = static_cast<std::uint8_t>(exit),
+                          .kind = kind_,
+                          .s = static_cast<float>(out.s),
+                          .q = static_cast<float>(out.q)};
+            line_count_ = to + 1;
+            const bool is_border = next.face == kNoNeighbour || kind_ == LineKind::contour ||
+                                   kind_ == LineKind::boundary;
+            if (!is_border) {
+                kind_ = LineKind::none;
+                return false;
+            }
+        }
+        end_ = End::line;
+        s_ = out.s;
+        q_ = out.q;
+        return true;
+    }
+
+    /// Where the line leaves the first face.
+    bool start(std::size_t& exit, Passage& in, Passage& out) const {
+        const LookupFace& face = screen_.mesh_->faces[at_];
+        int found = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto at = crossing(face, i);
+            if (!at) continue;
+            if (found == 0 || at->is_ahead_of(out)) {
+                in = out;
+                out = *at;
+                exit = i;
+            } else {
+                in = *at;
+            }
+            ++found;
+        }
+        return found == 2;
+    }
+
+    /// Over which edge the line leaves a face that it entered over another: over that of the two
+    /// whose ends lie on both sides; where, in `out`.
+    std::size_t leave(std::size_t entered, Passage& out) const {
+        const LookupFace& face = screen_.mesh_->faces[at_];
+        std::uint32_t high = face.vertices[entered];
+        std::uint32_t low = face.vertices[(entered + 1) % 3];
+        std::size_t of_high = (entered + 2) % 3, of_low = (entered + 1) % 3;  // edges to the third
+        if (height(high) < height(low)) {
+            std::swap(high, low);
+            std::swap(of_high, of_low);
+        }
+        const std::uint32_t third = face.vertices[(entered + 2) % 3];
+        const bool is_third_high = is_high(third);
+        out = is_third_high ? passage(third, low) : passage(high, third);
+        return is_third_high ? of_low : of_high;
+    }
+
+    void note(const Passage& in, const Passage& out) {
+        const Piece piece{in.s, in.q, out.s, out.q, at_};
+        if (piece_count_ < pieces_.size()) {
+            pieces_[piece_count_++] = piece;
+        } else {
+            pieces_.back() = piece;
+        }
+    }
+
+    [[nodiscard]] glm::dvec3 p_world(std::uint32_t vertex) const {
+        return screen_.mesh_->p_world[vertex];
+    }
+
+    /// The face on the other side of an edge that is left, or the line that it is, in kind_.
+    Landing across(std::size_t exit, const Passage& out) {
+        const LookupFace& face = screen_.mesh_->faces[at_];
+        const Twin twin = face.twins[exit];
+        if (twin.is_nothing()) {
+            kind_ = LineKind::boundary;
+            return {};
+        }
+        if (twin.is_many()) {
+            const std::uint32_t mine = face.vertices[(exit + 2) % 3];
+            return nearest_of_many(exit, out, screen_.side_of(out.high, out.low, mine));
+        }
+        kind_ = screen_.is_open(at_, twin) ? face.kinds[exit] : LineKind::contour;
+        return {twin.face(), twin.edge()};
+    }
+
+    [[nodiscard]] double slope(const Passage& out, std::uint32_t third) const;
+    Landing nearest_of_many(std::size_t exit, const Passage& out, int mine);
+
+    const ScreenMesh& screen_;
+
+    bool is_down_, goes_over_;
+    int sign_;
+    int x_, y_;
+    std::uint32_t at_, goal_;
+    End end_ = End::lost;
+    LineKind kind_ = LineKind::none;
+    double s_ = 0, q_ = 0;
+    std::array<Piece, 16> pieces_;
+    std::size_t piece_count_ = 0;
+    std::array<Crossing, 4> lines_;
+    std::size_t line_count_ = 0;
+};
+
+}  // namespace ink::methods

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "methods/grey_lines/line_widths.h"
+#include "methods/grey_lines/lined_sides.h"
+#include "methods/mesh_lookup/screen_mesh.h"
+#include "methods/strokes/sample_faces.h"
+#include "methods/strokes/segments.h"
+
+namespace ink::methods {
+
+/// What is known of a frame once all of its tiles were walked.
+struct StrokeFrame {
+    const ScreenMesh& screen;
+    const LinedSides<Crossing>& sides;
+    const SampleFaces& faces;
+    LineWidths widths;
+
+    [[nodiscard]] const LookupFace& face(std::uint32_t i) const { return screen.mesh().faces[i]; }
+};
+
+/// Names an edge by its vertices, or an intersection by its faces; 0 is none.
+using LineName = std::uint64_t;
+
+[[nodiscard]] inline LineName edge_name(std::uint32_t a, std::uint32_t b) {
+    return LineName{std::min(a, b)} << 32 | std::max(a, b);
+}
+[[nodiscard]] inline LineName intersection_name(std::uint32_t face, std::uint32_t other) {
+    return LineName{1} << 63 | LineName{std::min(face, other)} << 31 | std::max(face, other);
+}
+[[nodiscard]] inline LineName name_of(const Crossing& crossing, const ScreenMesh& screen) {
+    if (crossing.face == kNoNeighbour || crossing.edge > Crossing::kIntersection) return 0;
+    if (crossing.edge == Crossing::kIntersection)
+        return intersection_name(crossing.face, crossing.other);
+    const auto& v = screen.mesh().faces[crossing.face].vertices;
+    return edge_name(v[crossing.edge], v[(crossing.edge + 1U) % 3]);
+}
+
+/// A whole line on the image.
+struct Line {
+    LineName name = 0;
+    LineKind kind = LineKind::none;
+    Segment segment = {};
+    std::uint32_t face = kNoNeighbour;                                  ///< one of its faces
+    std::array<std::uint32_t, 2> vertices{kNoNeighbour, kNoNeighbour};  ///< of an edge, as segment
+
+    [[nodiscard]] bool is_edge() const { return vertices[0] != kNoNeighbour; }
+};
+
+/// An end of what a cell has of a line.
+struct LineEnd {
+    glm::dvec2 at{0};
+    double q = 0;
+    int side = -1;              ///< of the cell: 0 above, 1 right, 2 below, 3 left; -1 a vertex
+    bool is_confirmed = false;  ///< samples say that the line goes on there
+    bool is_at_corner = false;
+
+    [[nodiscard]] bool is_vertex() const { return side < 0; }
+};
+
+/// A side of a cell: its first sample, and whether the other lies below it.
+struct CellSide {
+    glm::ivec2 from;
+    bool is_down;
+
+    CellSide(const glm::ivec2& cell, int side)
+        : from(cell.x + (side == 1 ? 1 : 0), cell.y + (side == 2 ? 1 : 0)),
+          is_down(side == 1 || side == 3) {}
+    [[nodiscard]] glm::ivec2 to() const {
+        return from + glm::ivec2(is_down ? 0 : 1, is_down ? 1 : 0);
+    }
+    [[nodiscard]] glm::dvec2 at(double s) const {
+        return glm::dvec2(from) + s * glm::dvec2(to() - from);
+    }
+};
+
+/// The end of a line in a cell at `t` of its length, at a vertex or where it leaves.
+[[nodiscard]] LineEnd end_in_cell(const StrokeFrame& frame,
+                                  const Line& line,
+                                  const glm::ivec2& cell,
+                                  double t);
+
+/// Whether a line that leaves a cell where no sample has it is seen there: in front of what samples
+/// see, or between two lines of that side, of which nothing is known.
+[[nodiscard]] bool is_seen(const StrokeFrame& frame,
+                           const glm::ivec2& cell,
+                           const LineEnd& end,
+                           std::uint32_t face);
+
+}  // namespace ink::methods

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "methods/strokes/line_follower.h"
+
+namespace ink::methods {
+
+/// Makes pieces of the lines that cross the sides of cells.
+class CellStrokes {
+  public:
+    CellStrokes(const StrokeFrame& frame, std::vector<Piece>& pieces)
+        : frame_(frame), follower_(frame, pieces) {}
+
+    /// Appends the pieces that begin in a cell, which is named by its upper left sample.
+    void draw(const glm::ivec2& cell);
+
+  private:
+    static constexpr std::size_t kMost = 32;
+    /// An end that dangles: of which line, and which.
+    struct Dangling {
+        std::size_t line, end;
+        bool is_done;
+    };
+
+    void gather();
+    void add(const Crossing& crossing, const glm::dvec2& at);
+    [[nodiscard]] std::optional<Line> line_of(const Crossing& crossing, const glm::dvec2& at) const;
+    void settle(CellLine& line, std::size_t end);
+    void cut(CellLine& line, std::size_t end) const;
+    void join_dangling();
+    void join_nearest(std::span<Dangling> dangling);
+    void join_unknown();
+    [[nodiscard]] std::span<CellLine> lines() { return {lines_.data(), line_count_}; }
+    [[nodiscard]] const LineEnd& end_of(const Dangling& at) const {
+        return lines_[at.line].ends[at.end];
+    }
+
+    const StrokeFrame& frame_;
+    LineFollower follower_;
+    glm::ivec2 cell_{0};
+    std::array<CellLine, kMost> lines_;
+    std::size_t line_count_ = 0;
+    std::array<glm::dvec2, kMost> unknown_;  ///< where there is a line, and no more is known
+    std::size_t unknown_count_ = 0;
+};
+
+}  // namespace ink::methods
