@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace ink::methods::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kMostLanes = std::min<int>(16, HWY_LANES(float));
+/// A piece reaches over six points of a row or so.
+constexpr int kMostLanes = std::min<int>(8, HWY_LANES(float));
 using Lanes = hn::CappedTag<float, kMostLanes>;
 
 /// The middles of quarters of pixels, in rows of twice as many as there are pixels. A strip of so
@@ -168,10 +169,8 @@ void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
             std::memset(tile.first + y * tile.stride, 0, static_cast<std::size_t>(tile.width_px));
         return;
     }
-    Strip strip;
-    for (auto* rows : {&strip.way_x, &strip.way_y})
-        for (Strip::Row& row : *rows)
-            row.fill(0);
+    // What it holds of ways is looked at where a piece reaches alone.
+    static thread_local Strip strip{};
     for (int y0 = 0; y0 < tile.height_px; y0 += kStripRows) {
         strip.clear();
         for (const InkPiece& piece : pieces)

@@ -12,16 +12,6 @@
 
 namespace ink::methods {
 
-/// What is known of a frame once all of its tiles were walked.
-struct StrokeFrame {
-    const ScreenMesh& screen;
-    const LinedSides<Crossing>& sides;
-    const SampleFaces& faces;
-    LineWidths widths;
-
-    [[nodiscard]] const LookupFace& face(std::uint32_t i) const { return screen.mesh().faces[i]; }
-};
-
 /// Names an edge by its vertices, or an intersection by its faces; 0 is none.
 using LineName = std::uint64_t;
 
@@ -39,6 +29,35 @@ using LineName = std::uint64_t;
     return edge_name(v[crossing.edge], v[(crossing.edge + 1U) % 3]);
 }
 
+/// A line between two samples by its name.
+struct NamedCrossing {
+    LineName name = 0;
+    Crossing crossing;
+};
+
+/// A cell, by its upper left sample, and what crosses its sides: 0 above, 1 right, 2 below, 3 left.
+struct Cell {
+    glm::ivec2 at{0};
+    std::array<std::span<const NamedCrossing>, 4> crossings;
+};
+
+/// What is known of a frame once all of its tiles were walked.
+struct StrokeFrame {
+    const ScreenMesh& screen;
+    const LinedSides<NamedCrossing>& sides;
+    const SampleFaces& faces;
+    LineWidths widths;
+
+    [[nodiscard]] const LookupFace& face(std::uint32_t i) const { return screen.mesh().faces[i]; }
+    [[nodiscard]] Cell cell(const glm::ivec2& at) const {
+        return {at,
+                {sides.at(at.x, at.y, false),
+                 sides.at(at.x + 1, at.y, true),
+                 sides.at(at.x, at.y + 1, false),
+                 sides.at(at.x, at.y, true)}};
+    }
+};
+
 /// A whole line on the image.
 struct Line {
     LineName name = 0;
@@ -54,7 +73,7 @@ struct Line {
 struct LineEnd {
     glm::dvec2 at{0};
     double q = 0;
-    int side = -1;              ///< of the cell: 0 above, 1 right, 2 below, 3 left; -1 a vertex
+    int side = -1;              ///< of the cell; -1 a vertex
     bool is_confirmed = false;  ///< samples say that the line goes on there
     bool is_at_corner = false;
 
@@ -78,15 +97,12 @@ struct CellSide {
 };
 
 /// The end of a line in a cell at `t` of its length, at a vertex or where it leaves.
-[[nodiscard]] LineEnd end_in_cell(const StrokeFrame& frame,
-                                  const Line& line,
-                                  const glm::ivec2& cell,
-                                  double t);
+[[nodiscard]] LineEnd end_in_cell(const Line& line, const Cell& cell, double t);
 
 /// Whether a line that leaves a cell where no sample has it is seen there: in front of what samples
 /// see, or between two lines of that side, of which nothing is known.
 [[nodiscard]] bool is_seen(const StrokeFrame& frame,
-                           const glm::ivec2& cell,
+                           const Cell& cell,
                            const LineEnd& end,
                            std::uint32_t face);
 

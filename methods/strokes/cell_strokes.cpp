@@ -17,8 +17,8 @@ double across(const glm::dvec2& a, const glm::dvec2& b) {
 
 }  // namespace
 
-void CellStrokes::draw(const glm::ivec2& cell) {
-    cell_ = cell;
+void CellStrokes::draw(const glm::ivec2& at) {
+    cell_ = frame_.cell(at);
     line_count_ = unknown_count_ = 0;
     gather();
     for (CellLine& line : lines()) {
@@ -35,28 +35,27 @@ void CellStrokes::draw(const glm::ivec2& cell) {
 
 void CellStrokes::gather() {
     for (int i = 0; i < 4; ++i) {
-        const CellSide side(cell_, i);
-        for (const Crossing& crossing : frame_.sides.at(side.from.x, side.from.y, side.is_down))
-            add(crossing, side.at(crossing.s));
+        const CellSide side(cell_.at, i);
+        for (const NamedCrossing& line : cell_.crossings[static_cast<std::size_t>(i)])
+            add(line, side.at(line.crossing.s));
     }
 }
 
-void CellStrokes::add(const Crossing& crossing, const glm::dvec2& at) {
-    const LineName name = name_of(crossing, frame_.screen);
+void CellStrokes::add(const NamedCrossing& crossing, const glm::dvec2& at) {
+    const LineName name = crossing.name;
     for (const CellLine& known : lines())
         if (name != 0 && known.line.name == name) return;
-    auto line = line_of(crossing, at);
+    auto line = line_of(crossing.crossing, at);
     if (!line) {
         if (unknown_count_ < kMost) unknown_[unknown_count_++] = at;
         return;
     }
     line->name = name;
-    const auto part = clip_to_cell(line->segment, cell_);
+    const auto part = clip_to_cell(line->segment, cell_.at);
     if (!part || line_count_ == kMost) return;
     CellLine& here = lines_[line_count_++];
     here.line = *line;
-    here.ends = {end_in_cell(frame_, *line, cell_, part->from),
-                 end_in_cell(frame_, *line, cell_, part->to)};
+    here.ends = {end_in_cell(*line, cell_, part->from), end_in_cell(*line, cell_, part->to)};
     here.dangles = {false, false};
 }
 
@@ -82,7 +81,7 @@ void CellStrokes::settle(CellLine& line, std::size_t i) {
     line.dangles[i] = end.is_vertex();
     if (end.is_vertex() || end.is_confirmed || end.is_at_corner) return;
     if (line.line.is_edge() && is_seen(frame_, cell_, end, line.line.face)) {
-        follower_.go_on(line.line, cell_, end);
+        follower_.go_on(line.line, cell_.at, end);
     } else {
         cut(line, i);
     }

@@ -11,7 +11,7 @@ class CellStrokes {
         : frame_(frame), follower_(frame, pieces) {}
 
     /// Appends the pieces that begin in a cell, which is named by its upper left sample.
-    void draw(const glm::ivec2& cell);
+    void draw(const glm::ivec2& at);
 
   private:
     static constexpr std::size_t kMost = 32;
@@ -22,7 +22,7 @@ class CellStrokes {
     };
 
     void gather();
-    void add(const Crossing& crossing, const glm::dvec2& at);
+    void add(const NamedCrossing& crossing, const glm::dvec2& at);
     [[nodiscard]] std::optional<Line> line_of(const Crossing& crossing, const glm::dvec2& at) const;
     void settle(CellLine& line, std::size_t end);
     void cut(CellLine& line, std::size_t end) const;
@@ -36,7 +36,7 @@ class CellStrokes {
 
     const StrokeFrame& frame_;
     LineFollower follower_;
-    glm::ivec2 cell_{0};
+    Cell cell_;
     std::array<CellLine, kMost> lines_;
     std::size_t line_count_ = 0;
     std::array<glm::dvec2, kMost> unknown_;  ///< where there is a line, and no more is known

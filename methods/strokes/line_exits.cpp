@@ -14,11 +14,9 @@ constexpr double kSameQ = 1e-5;         ///< relative: of a line and the surface
 /// Lines where no sample has one must be so far in front: surfaces lie on each other.
 constexpr double kInFront_px = 0.1;
 
-bool has_line(const StrokeFrame& frame, const CellSide& side, LineName name) {
-    const auto lines = frame.sides.at(side.from.x, side.from.y, side.is_down);
-    return std::any_of(lines.begin(), lines.end(), [&](const Crossing& crossing) {
-        return name_of(crossing, frame.screen) == name;
-    });
+bool has_line(std::span<const NamedCrossing> lines, LineName name) {
+    return std::any_of(
+        lines.begin(), lines.end(), [&](const NamedCrossing& line) { return line.name == name; });
 }
 
 /// Whether one face is on the patch of the other, or beside it.
@@ -35,6 +33,7 @@ bool is_own(const StrokeFrame& frame, std::uint32_t seen, std::uint32_t of) {
 /// What is seen at a place of a side: 1/w of the surface, 0 of the sky; or nothing, between lines.
 std::optional<double> surface_q(const StrokeFrame& frame,
                                 const CellSide& side,
+                                std::span<const NamedCrossing> lines,
                                 const glm::dvec2& at) {
     const auto q = [&](std::uint32_t face, const glm::dvec2& where) {
         return face == kNoNeighbour ? 0 : plane_q(frame.screen, face, where);
@@ -43,46 +42,46 @@ std::optional<double> surface_q(const StrokeFrame& frame,
     const std::uint32_t second = frame.faces.at(side.to().x, side.to().y);
     const glm::dvec2 along = at - glm::dvec2(side.from);
     const double s = std::clamp(side.is_down ? along.y : along.x, 0.0, 1.0);
-    const auto lines = frame.sides.at(side.from.x, side.from.y, side.is_down);
     if (lines.empty()) return (1 - s) * q(first, side.at(0)) + s * q(second, side.at(1));
-    const auto [low, high] = std::minmax_element(
-        lines.begin(), lines.end(), [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
-    if (s <= low->s) return q(first, at);
-    if (s >= high->s) return q(second, at);
+    const auto [low, high] =
+        std::minmax_element(lines.begin(), lines.end(), [](const auto& a, const auto& b) {
+            return a.crossing.s < b.crossing.s;
+        });
+    if (s <= low->crossing.s) return q(first, at);
+    if (s >= high->crossing.s) return q(second, at);
     return std::nullopt;
 }
 
 }  // namespace
 
-LineEnd end_in_cell(const StrokeFrame& frame, const Line& line, const glm::ivec2& cell, double t) {
+LineEnd end_in_cell(const Line& line, const Cell& cell, double t) {
     LineEnd end{.at = line.segment.at(t), .q = line.segment.q_at(t)};
     if (t <= 0 || t >= 1) return end;
-    const glm::dvec2 in = end.at - glm::dvec2(cell);
+    const glm::dvec2 in = end.at - glm::dvec2(cell.at);
     const std::array<double, 4> away = {
         std::abs(in.y), std::abs(in.x - 1), std::abs(in.y - 1), std::abs(in.x)};
     end.side = static_cast<int>(std::min_element(away.begin(), away.end()) - away.begin());
     int near = 0;
-    for (int side = 0; side < 4; ++side) {
-        if (side != end.side && !(away[static_cast<std::size_t>(side)] < kAtCorner_px)) continue;
-        near += away[static_cast<std::size_t>(side)] < kAtCorner_px ? 1 : 0;
-        end.is_confirmed = end.is_confirmed || has_line(frame, CellSide(cell, side), line.name);
+    for (std::size_t side = 0; side < 4; ++side) {
+        const bool is_near = away[side] < kAtCorner_px;
+        if (static_cast<int>(side) != end.side && !is_near) continue;
+        near += is_near ? 1 : 0;
+        end.is_confirmed = end.is_confirmed || has_line(cell.crossings[side], line.name);
     }
     end.is_at_corner = near >= 2;
     return end;
 }
 
-bool is_seen(const StrokeFrame& frame,
-             const glm::ivec2& cell,
-             const LineEnd& end,
-             std::uint32_t face) {
-    const CellSide side(cell, end.side);
-    const auto surface = surface_q(frame, side, end.at);
+bool is_seen(const StrokeFrame& frame, const Cell& cell, const LineEnd& end, std::uint32_t face) {
+    const CellSide side(cell.at, end.side);
+    const auto lines = cell.crossings[static_cast<std::size_t>(end.side)];
+    const auto surface = surface_q(frame, side, lines, end.at);
     if (!surface || *surface == 0) return true;
-    const bool has_lines = !frame.sides.at(side.from.x, side.from.y, side.is_down).empty();
     const auto owns = [&](const glm::ivec2& sample) {
         return is_own(frame, frame.faces.at(sample.x, sample.y), face);
     };
-    if (has_lines || owns(side.from) || owns(side.to())) return *surface <= end.q * (1 + kSameQ);
+    if (!lines.empty() || owns(side.from) || owns(side.to()))
+        return *surface <= end.q * (1 + kSameQ);
     const scene::DepthSlope least = kInFront_px * frame.screen.projection().q_per_px();
     return *surface <= end.q * (1 - kSameQ - least.of_q) - least.constant;
 }

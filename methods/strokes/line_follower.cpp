@@ -19,19 +19,20 @@ void LineFollower::draw(
     if (piece.half_a_px > 0 || piece.half_b_px > 0) pieces_.push_back(piece);
 }
 
-void LineFollower::go_on(const Line& line, glm::ivec2 cell, LineEnd end, int most_cells) {
+void LineFollower::go_on(const Line& line, glm::ivec2 at, LineEnd end, int most_cells) {
     const glm::dvec2 way = line.segment.b - line.segment.a;
     const double length = glm::length(way);
     if (!(length > 0)) return;
     for (int step = 0; step < most_cells; ++step) {
-        cell = cell_beyond(cell, end.side);
-        const auto part = clip_to_cell(line.segment, cell);
-        if (!frame_.sides.is_cell(cell.x, cell.y) || !part) return;
+        at = cell_beyond(at, end.side);
+        const auto part = clip_to_cell(line.segment, at);
+        if (!frame_.sides.is_cell(at.x, at.y) || !part) return;
+        const Cell cell = frame_.cell(at);
         const double t_end = glm::dot(end.at - line.segment.a, way) / (length * length);
         const bool is_up = std::abs(part->to - t_end) > std::abs(part->from - t_end);
         const double t = is_up ? part->to : part->from;
         if (std::abs(t - t_end) * length < 1e-6) return;
-        const LineEnd next = end_in_cell(frame_, line, cell, t);
+        const LineEnd next = end_in_cell(line, cell, t);
         const bool is_known = next.is_vertex() || next.is_confirmed || next.is_at_corner;
         if (!is_known && !is_seen(frame_, cell, next, line.face)) {
             // Half of the cell in which something hides it.
@@ -50,7 +51,7 @@ void LineFollower::go_on(const Line& line, glm::ivec2 cell, LineEnd end, int mos
 }
 
 bool LineFollower::follow_from(Stand at,
-                               const glm::ivec2& cell,
+                               const Cell& cell,
                                std::span<const CellLine> known,
                                int most_cells) {
     const std::size_t before = pieces_.size();
@@ -70,9 +71,9 @@ bool LineFollower::follow_from(Stand at,
         const auto segment = edge_segment(frame_.screen, at.vertex, way->to);
         if (!segment) return give_up();
         line.segment = *segment;
-        const auto part = clip_to_cell(line.segment, cell);
+        const auto part = clip_to_cell(line.segment, cell.at);
         if (!part) return give_up();
-        const LineEnd end = end_in_cell(frame_, line, cell, part->to);
+        const LineEnd end = end_in_cell(line, cell, part->to);
         draw(line.kind, line.segment.a, line.segment.qa, end.at, end.q);
         if (end.is_vertex()) {
             const auto is_met = [&](const CellLine& other) {
@@ -85,7 +86,7 @@ bool LineFollower::follow_from(Stand at,
         }
         if (end.is_confirmed || end.is_at_corner) return true;
         if (!is_seen(frame_, cell, end, at.face)) return give_up();
-        go_on(line, cell, end, most_cells);
+        go_on(line, cell.at, end, most_cells);
         return true;
     }
     return give_up();

@@ -30,7 +30,7 @@ class LineFollower {
     /// false if it does not.
     bool follow(const CellLine& line,
                 std::size_t end,
-                const glm::ivec2& cell,
+                const Cell& cell,
                 std::span<const CellLine> known) {
         return follow_from(
             {.vertex = line.line.vertices[end], .face = line.line.face, .came_by = line.line.name},
@@ -59,10 +59,7 @@ class LineFollower {
         LineKind kind = LineKind::none;
     };
 
-    bool follow_from(Stand at,
-                     const glm::ivec2& cell,
-                     std::span<const CellLine> known,
-                     int most_cells);
+    bool follow_from(Stand at, const Cell& cell, std::span<const CellLine> known, int most_cells);
     [[nodiscard]] std::optional<Way> only_way(const Stand& at) const;
     template <class Visit>
     void each_face_round(const Stand& at, const Visit& visit) const;

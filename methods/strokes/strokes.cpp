@@ -24,7 +24,10 @@ class Strokes : public InkMethod {
     void look(const raster::Tile& tile) override {
         faces_.take(tile);
         each_lined_side(tile, [&](int x, int y, bool is_down, const SideLines& lines) {
-            sides_.add(x, y, is_down, lines.all());
+            std::array<NamedCrossing, std::tuple_size_v<decltype(lines.crossings)>> named;
+            for (std::size_t i = 0; i < lines.count; ++i)
+                named[i] = {name_of(lines.crossings[i], pass().screen()), lines.crossings[i]};
+            sides_.add(x, y, is_down, std::span(named).first(lines.count));
         });
     }
     void join(std::size_t tile, std::vector<Piece>& pieces) override {
@@ -36,7 +39,7 @@ class Strokes : public InkMethod {
     /// The words are kept.
     [[nodiscard]] method::PixelBytes filter_bytes() const override { return {8, 5}; }
 
-    LinedSides<Crossing> sides_;
+    LinedSides<NamedCrossing> sides_;
     SampleFaces faces_;
 };
 
