@@ -14,6 +14,7 @@
 #include "edge/thin.h"
 #include "edge/threshold.h"
 #include "methods/antialias.h"
+#include "shade/lay_ink.h"
 
 namespace ink::draw {
 namespace {
@@ -83,6 +84,29 @@ shade::Colors shade_colors(const DrawOptions& options, const glm::u8vec3& ink) {
     return colors;
 }
 
+/// What lies under the lines, at n x n the view's size.
+RgbImage draw_under(const harness::SceneViews& scene_views,
+                    const scene::View& view,
+                    const DrawOptions& options) {
+    if (!options.shading)
+        return {view.width_px, view.height_px, options.paper.value_or(kPaper.rgb)};
+    shade::Shader shader(*options.shading);
+    shader.prepare(scene_views.scene);
+    const shade::Colors colors = shade_colors(options, options.ink.value_or(kInk.rgb));
+    return shader.draw({view, colors, options.antialias, options.threads, options.lamps});
+}
+
+/// The method with its lines as wide as is asked for, as far as it goes.
+method::MethodConfig with_width(const method::MethodConfig& config, double line_width_px) {
+    core::ParamValues settings;
+    for (const core::Param& param : config.info->params) {
+        if (param.name != "width_px" || line_width_px == 0) continue;
+        settings[param.name] =
+            core::format_param(param, std::clamp(line_width_px, param.min, param.max));
+    }
+    return method::with(config, settings);
+}
+
 }  // namespace
 
 Drawing make_drawing(const harness::SceneViews& scene_views,
@@ -92,19 +116,22 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
     const scene::View view = methods::enlarged(scene_views.views.front(), n);
     const int threshold = method::threshold_of(config);
     const shade::Ink ink{options.ink.value_or(kInk.rgb), threshold};
+    RgbImage under = draw_under(scene_views, view, options);
+    Drawing drawing;
+    if (options.shading) drawing.shading = shade::dither(shade::average(under, n), options.dither);
+    if (methods::draws_ink(*config.info) && !options.hand) {
+        drawing.edge_responses = draw_method(scene_views,
+                                             with_width(config, options.line_width_px),
+                                             scene_views.views.front(),
+                                             options);
+        drawing.image = shade::dither(
+            shade::lay_ink(drawing.edge_responses, shade::average(under, n), ink.color),
+            options.dither);
+        return drawing;
+    }
     const edge::EdgeImage lines =
         style_lines(draw_method(scene_views, config, view, options), threshold, options);
-
-    Drawing drawing;
     drawing.edge_responses = shade::average(lines, n);
-    RgbImage under(view.width_px, view.height_px, options.paper.value_or(kPaper.rgb));
-    if (options.shading) {
-        shade::Shader shader(*options.shading);
-        shader.prepare(scene_views.scene);
-        const shade::Colors colors = shade_colors(options, ink.color);
-        under = shader.draw({view, colors, n, options.threads, options.lamps});
-        drawing.shading = shade::dither(shade::average(under, n), options.dither);
-    }
     const RgbImage image = shade::compose(lines, std::move(under), ink);
     drawing.image = shade::dither(shade::average(image, n), options.dither);
     return drawing;

@@ -50,9 +50,11 @@ struct Drawing {
 /// Draws the first view of `scene_views` with one method; not timed, not scored.
 ///
 /// Drawn at n x n the size, a method's lines would come out n times thinner: unless a width is
-/// asked for, they are widened by n - 1 samples, so that the thinnest are one pixel wide. The
-/// picture depends neither on `threads` nor on `skips`. Throws core::Error (where = "--antialias")
-/// if n x n the size is too large.
+/// asked for, they are widened by n - 1 samples, so that the thinnest are one pixel wide. A method
+/// that draws ink draws it once, at the view's size and as wide as is asked for, as far as its
+/// `width_px` goes; it is laid over the averaged shading in linear light. The picture depends
+/// neither on `threads` nor on `skips`. Throws core::Error (where = "--antialias") if n x n the
+/// size is too large.
 [[nodiscard]] Drawing make_drawing(const harness::SceneViews& scene_views,
                                    const method::MethodConfig& config,
                                    const DrawOptions& options);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/error.h"
 #include "draw/palette.h"
@@ -47,6 +48,20 @@ TEST(MakeDrawing, KeepsTheSizeOfTheViewWhenAntialiased) {
     EXPECT_EQ(drawing.edge_responses.height_px(), 54);
     const auto plain = count_of(drawing.image, kInk.rgb) + count_of(drawing.image, kPaper.rgb);
     EXPECT_LT(plain, 96 * 54) << "no shades between ink and paper";
+}
+
+TEST(MakeDrawing, InkKeepsItsGreyAndHasAnyWidth) {
+    const harness::SceneViews scene_views = small_scene_views();
+    const method::MethodConfig strokes = methods::make_configs("strokes", {}).front();
+    const Drawing one = make_drawing(scene_views, strokes, {});
+    EXPECT_LT(count_of(one.image, kInk.rgb) + count_of(one.image, kPaper.rgb), 96 * 54);
+    const auto sum = [](const edge::EdgeImage& image) {
+        return std::accumulate(image.data(), image.data() + image.size(), 0.0);
+    };
+    const Drawing three = make_drawing(scene_views, strokes, {.line_width_px = 3});
+    EXPECT_GT(sum(three.edge_responses), 2 * sum(one.edge_responses));
+    // It has its samples: more of them are for the shading alone.
+    EXPECT_EQ(make_drawing(scene_views, strokes, {.antialias = 2}).image, one.image);
 }
 
 TEST(MakeDrawing, AWidthOfOneIsThinnedAndWiderHasMoreInk) {
