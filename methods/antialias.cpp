@@ -168,9 +168,10 @@ scene::View enlarged(scene::View view, int n) {
 method::MethodConfig antialiased(const method::MethodConfig& config,
                                  Antialias antialias,
                                  double line_width_px) {
-    if (antialias == Antialias::none) {
+    const bool is_ink = draws_ink(*config.info);
+    if (antialias == Antialias::none || is_ink) {
         method::MethodConfig own = config;
-        own.is_grey = draws_ink(*config.info);
+        own.is_grey = is_ink;
         return own;
     }
     const std::string_view word = kAntialiasNames[static_cast<std::size_t>(antialias)];
@@ -214,7 +215,7 @@ std::vector<method::MethodConfig> at_each_antialias(
     std::vector<method::MethodConfig> all;
     for (std::size_t i = 0; i < choices.size(); ++i) {
         for (const method::MethodConfig& config : configs) {
-            if (config.is_outside && i > 0) continue;
+            if ((config.is_outside || draws_ink(*config.info)) && i > 0) continue;
             all.push_back(config.is_outside ? config
                                             : antialiased(config, choices[i], line_width_px));
         }

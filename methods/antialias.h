@@ -39,7 +39,7 @@ inline constexpr std::string_view kShareUnit = "of 255";
 [[nodiscard]] bool draws_ink(const method::MethodInfo& info);
 
 /// The configuration as a method of its own that draws grey lines, called NAME_resolve4 or
-/// NAME_resolve16; for `none` as it is.
+/// NAME_resolve16; for `none`, and if it draws ink, as it is.
 ///
 /// It runs whole at the size of the samples, its filter and threshold included: no code is
 /// averaged. What is drawn is then all or nothing a sample, and the mean over each pixel is the
@@ -55,8 +55,8 @@ inline constexpr std::string_view kShareUnit = "of 255";
                                                Antialias antialias,
                                                double line_width_px);
 
-/// All methods at the first choice of samples, then at the next. Those from outside are what they
-/// are, and come once.
+/// All methods at the first choice of samples, then at the next. Those from outside, and those that
+/// draw ink, are what they are, and come once.
 [[nodiscard]] std::vector<method::MethodConfig> at_each_antialias(
     const std::vector<method::MethodConfig>& configs,
     const std::vector<Antialias>& choices,
