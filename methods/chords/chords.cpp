@@ -2,6 +2,7 @@
 // these crossings are drawn. The second pass asks no mesh.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "methods/grey_lines/ink_method.h"
@@ -59,13 +60,22 @@ class Chords : public InkMethod {
         return {byte(line.s), name_of(line), byte(half_px / most_half_px_)};
     }
 
-    /// 1 to 255 of an edge, whichever of its faces it was found on; 0 of what has none.
+    /// 1 to 255 of an edge, however its faces and vertices are numbered; 0 of what has none.
     [[nodiscard]] std::uint8_t name_of(const Crossing& line) const {
         if (line.edge >= Crossing::kIntersection) return 0;
-        const auto& v = pass().screen().mesh().faces[line.face].vertices;
-        const std::uint32_t a = v[line.edge], b = v[(line.edge + 1) % 3];
-        const std::uint32_t mixed = std::min(a, b) * 0x9e3779b1U + std::max(a, b) * 0x85ebca6bU;
-        return static_cast<std::uint8_t>(1 + (mixed >> 16) % 255);
+        const LookupMesh& mesh = pass().screen().mesh();
+        const auto& v = mesh.faces[line.face].vertices;
+        const auto mixed = [&](std::uint32_t vertex) {
+            const glm::dvec3& p = mesh.p_world[vertex];
+            return std::bit_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15U +
+                   std::bit_cast<std::uint64_t>(p.y) * 0xc2b2ae3d27d4eb4fU +
+                   std::bit_cast<std::uint64_t>(p.z) * 0x165667b19e3779f9U;
+        };
+        const auto hash = [](std::uint64_t bits) {
+            return (bits ^ bits >> 29) * 0xbf58476d1ce4e5b9U;
+        };
+        const std::uint64_t both = hash(mixed(v[line.edge])) + hash(mixed(v[(line.edge + 1U) % 3]));
+        return static_cast<std::uint8_t>(1 + (both >> 40) % 255);
     }
 
     void join(std::size_t tile, std::vector<Piece>& pieces) override {
