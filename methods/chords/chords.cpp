@@ -11,11 +11,11 @@
 namespace ink::methods {
 namespace {
 
-/// A crossing of a side with a line, in three bytes.
+/// A crossing of a side with a line, in four bytes.
 struct ChordEnd {
     std::uint8_t place = 0;  ///< from the first sample to the second
-    std::uint8_t edge = 0;   ///< a few bits of which edge it is, so that ends of one are joined
     std::uint8_t width = 0;  ///< of the widest
+    std::uint16_t edge = 0;  ///< bits of which edge it is, so that ends of one are joined
 };
 
 class Chords : public InkMethod {
@@ -35,7 +35,7 @@ class Chords : public InkMethod {
     struct Crossed {
         glm::dvec2 at{0};
         float half_px = 0;
-        std::uint8_t edge = 0;
+        std::uint16_t edge = 0;
     };
 
     void begin(int width_px, int height_px) override { sides_.reset(width_px, height_px); }
@@ -57,25 +57,25 @@ class Chords : public InkMethod {
         const auto byte = [](double share) {
             return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
         };
-        return {byte(line.s), name_of(line), byte(half_px / most_half_px_)};
+        return {byte(line.s), byte(half_px / most_half_px_), name_of(line)};
     }
 
-    /// 1 to 255 of an edge, however its faces and vertices are numbered; 0 of what has none.
-    [[nodiscard]] std::uint8_t name_of(const Crossing& line) const {
+    /// 1 to 65535 of an edge, however its faces and vertices are numbered; 0 of what has none.
+    [[nodiscard]] std::uint16_t name_of(const Crossing& line) const {
         if (line.edge >= Crossing::kIntersection) return 0;
         const LookupMesh& mesh = pass().screen().mesh();
         const auto& v = mesh.faces[line.face].vertices;
         const auto mixed = [&](std::uint32_t vertex) {
             const glm::dvec3& p = mesh.p_world[vertex];
-            return std::bit_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15U +
-                   std::bit_cast<std::uint64_t>(p.y) * 0xc2b2ae3d27d4eb4fU +
-                   std::bit_cast<std::uint64_t>(p.z) * 0x165667b19e3779f9U;
+            std::uint64_t bits = 0;
+            for (const double part : {p.x, p.y, p.z}) {
+                bits = (bits ^ std::bit_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15U;
+                bits ^= bits >> 32;
+            }
+            return bits * 0xbf58476d1ce4e5b9U;
         };
-        const auto hash = [](std::uint64_t bits) {
-            return (bits ^ bits >> 29) * 0xbf58476d1ce4e5b9U;
-        };
-        const std::uint64_t both = hash(mixed(v[line.edge])) + hash(mixed(v[(line.edge + 1U) % 3]));
-        return static_cast<std::uint8_t>(1 + (both >> 40) % 255);
+        const std::uint64_t both = mixed(v[line.edge]) + mixed(v[(line.edge + 1U) % 3]);
+        return static_cast<std::uint16_t>(1 + (both >> 40) % 65535);
     }
 
     void join(std::size_t tile, std::vector<Piece>& pieces) override {
