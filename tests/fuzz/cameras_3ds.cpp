@@ -20,20 +20,20 @@ void check_keys(const std::vector<scene::VectorKey>& keys) {
 }
 
 /// As the reader of models has it: the scene of a file that Assimp has read already.
-import::ImportReply reply_with_cameras(Bytes bytes) {
+import::ImportReply reply_with_cameras(Bytes bytes){
     import::ImportReply reply = import::cube_reply();
-    scene::Animation motion;
-    motion.duration_s = 1;
-    motion.node_of_instance = {scene::kNoNode};
-    motion.nodes.push_back({scene::kNoNode, glm::dmat4(2), {}, {}, {}});
-    const std::filesystem::path file = scratch_file("cameras.3ds", bytes);
-    reply.cameras = import::read_3ds_cameras(file, motion);
-    reply.lights = import::read_3ds_lights(file, motion, reply.notes);
-    reply.animation = std::move(motion);
-    return reply;
-}
-
+scene::Animation motion;
+motion.duration_s = 1;
+motion.node_of_instance = {scene::kNoNode};
+motion.nodes.push_back({scene::kNoNode, glm::dmat4(2), {}, {}, {}});
+const std::filesystem::path file = scratch_file("cameras.3ds", bytes);
+reply.cameras = import::read_3ds_cameras(file, motion);
+reply.lights = import::read_3ds_lights(file, motion, reply.notes);
+reply.animation = std::move(motion);
+return reply;
 }  // namespace
+
+}  // namespace ink::fuzz
 
 void check_cameras_3ds(Bytes bytes) {
     const auto cameras = import::read_3ds_cameras(std::as_bytes(bytes));
