@@ -44,6 +44,7 @@ void ExperimentOptions::add_to(CLI::App& command,
             command.add_option(flag, given, help)
                 ->type_name(type_of(param))
                 ->expected(1)
+                ->allow_extra_args(false)  // what follows is an argument of its own
                 ->default_str(usual_text(usual_, row));
         }
     }
