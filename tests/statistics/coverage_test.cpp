@@ -16,12 +16,12 @@ namespace {
 
 using Counts = score::CurveCount;
 
-constexpr std::size_t kMethods = 8;
+constexpr std::size_t kMethodCount = 8;
 
 /// Matches within 2 px, and drawn and true pixels together, of eight methods on each scene of the
 /// catalogue, over its views at 320x180: decaudin, roberts_tuned, sobel, mote4, two_sums, ids,
 /// surface8 and id_lookup. Counted at commit 2dfdab8a.
-const Counts kWorld[][kMethods] = {
+const Counts kWorld[][kMethodCount] = {
     // clang-format off
     {{1276, 2560}, {1284, 2568}, {1284, 2661}, {1283, 2567}, {1283, 2567}, {1276, 2560}, {1283, 2567}, {1283, 2567}},
     {{2915, 6096}, {3158, 6325}, {3084, 6255}, {3069, 6237}, {3077, 6240}, {3160, 6416}, {3159, 6322}, {3163, 6326}},
@@ -62,17 +62,17 @@ const Counts kWorld[][kMethods] = {
 };
 
 /// Of each method, the counts of scenes that were drawn from the world.
-using Sample = std::array<std::vector<Counts>, kMethods>;
+using Sample = std::array<std::vector<Counts>, kMethodCount>;
 
 /// Pooled F of each method over the whole world.
-std::array<double, kMethods> true_f() {
-    std::array<Counts, kMethods> sums{};
+std::array<double, kMethodCount> true_f() {
+    std::array<Counts, kMethodCount> sums{};
     for (const auto& scene : kWorld) {
-        for (std::size_t m = 0; m < kMethods; ++m)
+        for (std::size_t m = 0; m < kMethodCount; ++m)
             sums[m] += scene[m];
     }
-    std::array<double, kMethods> f{};
-    for (std::size_t m = 0; m < kMethods; ++m)
+    std::array<double, kMethodCount> f{};
+    for (std::size_t m = 0; m < kMethodCount; ++m)
         f[m] = sums[m].f();
     return f;
 }
@@ -93,18 +93,18 @@ class KnownCoverage : public testing::TestWithParam<int> {};
 
 TEST_P(KnownCoverage, IsTheLowerOfWhatIntervalsOfFAndOfPairsHold) {
     constexpr int kSamples = 120;
-    const std::array<double, kMethods> truth = true_f();
+    const std::array<double, kMethodCount> truth = true_f();
     std::mt19937_64 random(5);
     Coverage of_f, of_pairs;
     for (int i = 0; i < kSamples; ++i) {
         Sample sample;
         for (int n = 0; n < GetParam(); ++n) {
             const auto& scene = kWorld[random() % std::size(kWorld)];
-            for (std::size_t m = 0; m < kMethods; ++m)
+            for (std::size_t m = 0; m < kMethodCount; ++m)
                 sample[m].push_back(scene[m]);
         }
         const BootstrapOptions options{.resamples = 400, .seed = static_cast<std::uint64_t>(i)};
-        for (std::size_t a = 0; a < kMethods; ++a) {
+        for (std::size_t a = 0; a < kMethodCount; ++a) {
             of_f.add(f_interval(sample[a], options), truth[a]);
             for (std::size_t b = 0; b < a; ++b)
                 of_pairs.add(paired_interval(sample[a], sample[b], options), truth[a] - truth[b]);
