@@ -189,6 +189,15 @@ std::optional<double> read_number(const core::TomlReader& table, const std::stri
     throw core::Error(table.where(key), fmt::format("{} is no number", key), "a number");
 }
 
+/// An angle that a camera can have.
+double checked_fov(double fov_deg) {
+    harness::CameraRequest any;
+    any.eye_world = {0, 0, 2};
+    any.fov_deg = fov_deg;
+    (void)harness::make_camera(any, {}, {{}, 1});
+    return fov_deg;
+}
+
 harness::CameraRequest read_camera(const core::TomlReader& table) {
     table.refuse_unknown({"eye", "target", "up", "fov_deg", "parallel_height"});
     harness::CameraRequest camera;
@@ -198,7 +207,8 @@ harness::CameraRequest read_camera(const core::TomlReader& table) {
     camera.target_world = read_point(table, "target");
     if (const auto up_world = read_point(table, "up"))
         camera.up_world = checked_direction(*up_world, {"up", table.where("up")});
-    camera.fov_deg = read_number(table, "fov_deg").value_or(camera.fov_deg);
+    if (const auto fov_deg = read_number(table, "fov_deg"))
+        camera.fov_deg = at_place(table.where("fov_deg"), [&] { return checked_fov(*fov_deg); });
     if (const auto height_world = read_number(table, "parallel_height"))
         camera.height_world =
             at_place(table.where("parallel_height"), [&] { return checked_height(*height_world); });

@@ -272,6 +272,7 @@ TEST(ExperimentFile, AsksForCamerasAndOptionsOfViews) {
           {"cameras = [{target = [0, 0, 0]}]", "has no eye"},
           {"cameras = [{eye = [0, 0]}]", "[X, Y, Z]"},
           {"cameras = [{eye = [1, 0, 0], fov = 1}]", "fov_deg"},
+          {"cameras = [{eye = [1, 0, 0], fov_deg = 400}]", "1..170"},
           {"cameras = [{eye = [1, 0, 0], parallel_height = 0}]", "above 0"}}) {
         const std::string error = error_of(std::string(kHead) + "[views]\n" + wrong);
         EXPECT_THAT(error, testing::AllOf(testing::StartsWith("e.toml:"), HasSubstr(part)));
