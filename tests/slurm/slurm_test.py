@@ -20,7 +20,7 @@ import time
 from pathlib import Path
 
 SKIPPED = 77
-ARGUMENTS = "--size 320x180 --no-times"
+ARGUMENTS = "--size 960x540 --no-times"
 SHARES = 3
 
 
@@ -46,7 +46,7 @@ def wait_for(is_there, what, seconds=120):
         found = is_there()
         if found:
             return found
-        time.sleep(0.05)
+        time.sleep(0.01)
     return sys.exit(f"slurm: waited {seconds} s for {what}")
 
 
