@@ -268,6 +268,8 @@ std::string doubt_of_lines(const edge::EdgeImage& image,
     constexpr double kBetterFlipped = 0.2;
     constexpr double kBetterPlaced = 0.1;
     constexpr double kLeastPlaced = 0.5;  // parallel lines can be moved onto each other
+    // Of a round thing whose lines lie a little inside, any growth finds more.
+    constexpr double kLeastBordered = 0.9;
     // Of two mistakes that explain as much, as in symmetric scenes, the first.
     constexpr double kBetterThanOther = 0.05;
     std::string doubt;
@@ -293,7 +295,7 @@ std::string doubt_of_lines(const edge::EdgeImage& image,
         const Border border = best_border(drawn, near, {image.width_px(), image.height_px()});
         try_undone(
             without(border, image),
-            placed_f,
+            std::max(f + kBetterFlipped, kLeastBordered),
             fmt::format("it seems to have a border of about {} px around it", border.width_px));
     }
     const ThresholdScore better = best_threshold(image, truth, options);
