@@ -1,6 +1,7 @@
 #include "methods/grey_lines/ink.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/parallel.h"
