@@ -24,7 +24,8 @@ struct ImageSize {
 [[nodiscard]] std::vector<ImageSize> image_sizes();
 
 /// The meshes that everything is timed on: `sphere` (made here, 69 thousand triangles), and where
-/// the files are in inkbench-out/models `dragon_coarse` (47 thousand) and `dragon` (871 thousand). What add_model was given comes last.
+/// the files are in inkbench-out/models `dragon_coarse` (47 thousand) and `dragon` (871 thousand).
+/// What add_model was given comes last.
 [[nodiscard]] std::vector<std::string> mesh_names();
 
 /// Adds a model file to the meshes, by its name without extension. Throws core::Error if there is
