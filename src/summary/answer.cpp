@@ -37,30 +37,32 @@ bool have_equal_images(const MethodSummary& a, const MethodSummary& b) {
     return a.image_hashes == b.image_hashes && !a.image_hashes.empty();
 }
 
-/// Whether another run may find `s` as cheap as `method`: its time is near the limit or below,
-/// where it is the more exact, or its least times are within the other's usual ones.
-bool may_be_as_cheap(const MethodSummary& s, const MethodSummary& method) {
-    const double limit = kAlikeTimes * (*s.f_2px > *method.f_2px ? kUnsureTimes : 1);
-    if (*s.draw_ms < limit * *method.draw_ms) return true;
-    return s.draw_ms_doubt && method.draw_ms_doubt &&
-           s.draw_ms_doubt->low < method.draw_ms_doubt->high;
+/// Of those that are as good: the most exact that takes less than `limit` times the least time.
+/// Null of none.
+const MethodSummary* most_exact_within(double limit, const Summaries& as_good) {
+    const auto cheapest = std::min_element(as_good.begin(), as_good.end(), is_cheaper);
+    if (cheapest == as_good.end()) return nullptr;
+    Summaries alike = {*cheapest};  // it may take no time at all
+    std::copy_if(as_good.begin(), as_good.end(), std::back_inserter(alike), [&](const auto* s) {
+        return *s->draw_ms < limit * *(*cheapest)->draw_ms;
+    });
+    return most_exact_of(alike);
 }
 
-/// Chooses among those that are as good.
-void choose(const Summaries& as_good, Answer& answer) {
-    const auto cheapest = std::min_element(as_good.begin(), as_good.end(), is_cheaper);
-    if (cheapest == as_good.end()) return;
-    Summaries alike;
-    std::copy_if(as_good.begin(), as_good.end(), std::back_inserter(alike), [&](const auto* s) {
-        return *s->draw_ms < kAlikeTimes * *(*cheapest)->draw_ms;
+bool are_times_in_doubt(const MethodSummary& a, const MethodSummary& b) {
+    return a.draw_ms_doubt && b.draw_ms_doubt && a.draw_ms_doubt->low < b.draw_ms_doubt->high;
+}
+
+/// Whose images are the answer's is no other.
+Summaries others_that_may_be_named(const MethodSummary& method, const Summaries& as_good) {
+    const MethodSummary* more = most_exact_within(kAlikeTimes * kUnsureTimes, as_good);
+    const MethodSummary* less = most_exact_within(kAlikeTimes / kUnsureTimes, as_good);
+    Summaries others = as_good;
+    std::erase_if(others, [&](const MethodSummary* s) {
+        const bool may_be = s == more || s == less || are_times_in_doubt(*s, method);
+        return s == &method || !may_be || have_equal_images(*s, method);
     });
-    alike.push_back(*cheapest);  // it may take no time at all
-    answer.method = most_exact_of(alike);
-    for (const MethodSummary* s : as_good) {
-        if (s != answer.method && !have_equal_images(*s, *answer.method) &&
-            may_be_as_cheap(*s, *answer.method))
-            answer.as_cheap.push_back(s);
-    }
+    return others;
 }
 
 }  // namespace
@@ -84,7 +86,10 @@ Answer find_answer(const std::vector<MethodSummary>& summaries, const AnswerRule
         const double below = *answer.most_exact->f_2px - *s->f_2px;
         return !s->draw_ms || s->has_own_clock || below > rule.f_margin + kRounding;
     });
-    choose(as_good, answer);
+    if (!as_good.empty()) {
+        answer.method = most_exact_within(kAlikeTimes, as_good);
+        answer.as_cheap = others_that_may_be_named(*answer.method, as_good);
+    }
     std::erase(within, answer.most_exact);
     Summaries drawn_otherwise = within;
     std::erase_if(drawn_otherwise, [&](const MethodSummary* s) {

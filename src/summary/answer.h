@@ -8,12 +8,13 @@ namespace ink::summary {
 
 struct MethodSummary;
 
-/// Two times of which neither is this many times the other are alike: beside other work, ratios of
-/// times to a fixed kernel move by as much (bench/README.md).
-inline constexpr double kAlikeTimes = 1.15;
+/// A method that takes less than this many times as long as the cheapest is as cheap. Methods that
+/// differ in one pass lie 1.05 to 1.2 apart: a limit among them is crossed by what times move by
+/// from one run to the next, and the answer changes its name.
+inline constexpr double kAlikeTimes = 1.3;
 
-/// From one run to the next the ratio of two methods' times moves by as much, over a few views of a
-/// model (bench/README.md).
+/// From one run to the next the ratio of two methods' times may move by as much (`ratios` of
+/// bench/README.md).
 inline constexpr double kUnsureTimes = 1.1;
 
 /// What a reader asks of the answer to "which method makes the fewest errors in this time?".
@@ -30,15 +31,15 @@ struct AnswerRule {
 /// the summaries.
 struct Answer {
     /// Of the methods within the budget whose F is at most the margin below the best of them, the
-    /// cheapest by this program's clock; of those whose times are alike to its, the most exact; of
-    /// equals, one that draws by itself before one that chooses among others, then the first. The
-    /// most exact itself where none such was timed.
+    /// cheapest by this program's clock; of those that are as cheap, the most exact; of equals, one
+    /// that draws by itself before one that chooses among others, then the first. The most exact
+    /// itself where none such was timed.
     const MethodSummary* method = nullptr;
     const MethodSummary* most_exact = nullptr;  ///< within the budget
     const MethodSummary* next = nullptr;        ///< the most exact after that, of other images
     const MethodSummary* fastest = nullptr;     ///< of all with a score, whatever the budget
-    /// As good, with other images, and perhaps as cheap: their times and the answer's cannot be
-    /// told apart, so that another run may name them.
+    /// As good, with other images: another run may name them, for times move that much or were
+    /// taken on a busy machine.
     std::vector<const MethodSummary*> as_cheap = {};
 
     /// What the answer is held against: the most exact, or the next if it is that itself.

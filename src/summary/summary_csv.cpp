@@ -106,7 +106,7 @@ SummaryTable make_table() {
     table.add_derived({"answer",
                        "",
                        "answer: the cheapest whose F is at most the margin below the best within "
-                       "the budget, the most exact of those that take at most 1.15 times as long; "
+                       "the budget, the most exact of those that take less than 1.3 times as long; "
                        "best: the most exact of all; both",
                        true},
                       &Line::answer);

@@ -285,7 +285,7 @@ void add_advise_command(CLI::App& app) {
     add_cache_options(*command, args->cache);
     command->footer(
         "The answer is the cheapest method whose F is at most --f-margin below the best within "
-        "--budget-ms; of those that take up to 1.15 times as long, the most exact.\n"
+        "--budget-ms; of those that take less than 1.3 times as long, the most exact.\n"
         "Example: inkbench advise bunny.obj --budget-ms 1 --size 1920x1080\n"
         "Exit codes: 0 done, 1 no method has a score within the budget, 2 bad input, 130 "
         "interrupted.");

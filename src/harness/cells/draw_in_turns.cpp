@@ -28,7 +28,6 @@ class Round {
           options_(options),
           images_(images),
           times_(methods.size()),
-          yardsticks_before_(methods.size()),
           is_done_(methods.size(), false),
           again_(view.width_px, view.height_px) {
         images_.assign(methods.size(), again_);
@@ -60,26 +59,26 @@ class Round {
         }
     }
 
-    /// Of each method. The yardstick beside a drawing is the quicker one of those before and after.
+    /// Of each method.
     [[nodiscard]] std::vector<DrawTimes> take_times() {
-        if (!yardsticks_ns_.empty()) time_yardstick();  // after the last
-        for (std::size_t i = 0; i < times_.size(); ++i) {
-            DrawTimes& times = times_[i];
+        if (least_yardstick_ns_ > 0) time_yardstick();  // after the last
+        for (DrawTimes& times : times_)
             times.yardstick_ns = least_yardstick_ns_;
-            for (std::size_t draw = 0; draw < times.yardsticks_ns.size(); ++draw) {
-                const std::size_t next = yardsticks_before_[i][draw];
-                times.yardsticks_ns[draw] =
-                    std::min(times.yardsticks_ns[draw], yardsticks_ns_[next]);
-            }
-        }
         return std::move(times_);
     }
 
   private:
+    /// The yardstick beside a drawing is the quicker one of those before and after.
     void time_yardstick() {
         const core::Spent spent = spent_on([&] { yardstick_.work(); });
-        yardsticks_ns_.push_back(options_.threads == 1 ? spent.cpu_ns : spent.wall_ns);
-        least_yardstick_ns_ = std::ranges::min(yardsticks_ns_);
+        yardstick_ns_ = options_.threads == 1 ? spent.cpu_ns : spent.wall_ns;
+        least_yardstick_ns_ =
+            least_yardstick_ns_ == 0 ? yardstick_ns_ : std::min(least_yardstick_ns_, yardstick_ns_);
+        for (const std::size_t i : drawn_since_) {
+            std::int64_t& beside_ns = times_[i].yardsticks_ns.back();
+            beside_ns = std::min(beside_ns, yardstick_ns_);
+        }
+        drawn_since_.clear();
     }
 
     template <class Work>
@@ -95,9 +94,9 @@ class Round {
         times.skips = methods_[i]->method().skip_counts();
         times.clock = clock_of(options_.threads);
         times.draws.push_back(spent);
-        times.yardsticks_ns.push_back(yardsticks_ns_.back());
+        times.yardsticks_ns.push_back(yardstick_ns_);
         times.yardstick_ns = least_yardstick_ns_;
-        yardsticks_before_[i].push_back(yardsticks_ns_.size());
+        drawn_since_.push_back(i);
         is_done_[i] = is_enough(times);
     }
 
@@ -136,7 +135,7 @@ class Round {
     void fail(std::size_t i, const std::string& failure) {
         times_[i] = {};
         times_[i].failure = failure;
-        yardsticks_before_[i].clear();
+        std::erase(drawn_since_, i);
         is_done_[i] = true;
     }
 
@@ -146,10 +145,9 @@ class Round {
     std::vector<edge::EdgeImage>& images_;
     std::vector<DrawTimes> times_;
     Yardstick yardstick_;
-    std::vector<std::int64_t> yardsticks_ns_;
-    std::int64_t least_yardstick_ns_ = 0;
-    /// Of each method's drawings, how many had been timed before.
-    std::vector<std::vector<std::size_t>> yardsticks_before_;
+    std::int64_t yardstick_ns_ = 0;         ///< the last
+    std::int64_t least_yardstick_ns_ = 0;   ///< 0: none was timed
+    std::vector<std::size_t> drawn_since_;  ///< who drew after the last, each once
     std::vector<bool> is_done_;
     edge::EdgeImage again_;
 };

@@ -10,12 +10,12 @@ namespace ink::harness {
 /// it does to the yardstick beside it, and times of two runs are compared by their ratios to it.
 ///
 /// Two kinds of work, since a busy neighbour on the same core slows them unequally, and drawings
-/// lie between: ten passes of a four-neighbour filter over 320x180 bytes, which fill the core,
-/// take 1.6 times as long; a chain of numbers each of which waits for the one before takes 1.1
-/// times. Seven tenths and three tenths of about 0.16 ms: with these, times held best
-/// (bench/README.md). The plane stays in the core's own cache: over a whole frame the filter felt
-/// loads that methods do not feel, which draw tile by tile. It is no method's code, so that nobody
-/// who speeds one up changes it.
+/// lie between: ten passes of a four-neighbour filter over 320x180 bytes, which fill the core, are
+/// slowed most; a chain of numbers each of which waits for the one before is slowed least. Seven
+/// tenths and three tenths of about 0.16 ms: with these, times held best (bench/README.md). The
+/// plane stays in the core's own cache: over a whole frame the filter felt loads that methods do
+/// not feel, which draw tile by tile. It is no method's code, so that nobody who speeds one up
+/// changes it.
 class Yardstick {
   public:
     Yardstick();

@@ -4,8 +4,8 @@
 /// F is .01 below another where rounding leaves a little more.
 const F_ROUNDING = 1e-9;
 
-/// Two times of which neither is this many times the other are alike.
-const ALIKE_TIMES = 1.15;
+/// A method that takes less than this many times as long as the cheapest is as cheap.
+const ALIKE_TIMES = 1.3;
 
 /// Of the methods within the budget whose value is at most the margin below the best of them the cheapest
 /// by the program's clock; of those whose times are alike, the most exact; of equals one that draws by

@@ -159,7 +159,7 @@ std::string times_text(const Answer& answer, Markup markup) {
     std::vector<std::string> names;
     for (const MethodSummary* s : answer.as_cheap)
         names.push_back(code(s->method, markup));
-    return fmt::format("times cannot tell it from {}", fmt::join(names, ", "));
+    return fmt::format("another run may name {}: the times are that close", fmt::join(names, ", "));
 }
 
 AnswerText answer_text(const std::vector<harness::Row>& rows,
@@ -197,7 +197,7 @@ AnswerText answer_text(const std::vector<harness::Row>& rows,
         first += rival.method == nullptr ? ", the most exact" : "; the first is the most exact";
     if (!method.draw_ms && !is_alone) first += "; no time was taken";
     std::string rest = rival_sentence(answer, rival, rule, markup);
-    if (!answer.as_cheap.empty()) rest += " T" + times_text(answer, markup).substr(1) + ".";
+    if (!answer.as_cheap.empty()) rest += " A" + times_text(answer, markup).substr(1) + ".";
     const std::string scene = error_scene_text(method);
     if (!scene.empty()) rest += fmt::format(" It has {}.", scene);
     if (!is_alone) rest += other_sentences(rows, comparison.differences, answer, markup);

@@ -15,8 +15,8 @@ enum class Markup { none, markdown };
 /// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
 [[nodiscard]] std::string format_ms(const std::optional<double>& ms);
 
-/// Which methods may be the answer as far as times can tell: "times cannot tell it from `a`, `b`";
-/// "" where they can.
+/// Which methods may be the answer where times move: "another run may name `a`, `b`: ...";
+/// "" for none.
 [[nodiscard]] std::string times_text(const summary::Answer& answer, Markup markup);
 
 /// The answer in sentences.
