@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base64.h"
@@ -96,9 +97,32 @@ AtFactors pngs_of(Picture picture, std::size_t first, CodesOf codes_of_picture) 
     return pngs;
 }
 
+/// The methods of a run that draw ink.
+std::set<std::string> ink_methods(const experiment::RunData& run) {
+    std::set<std::string> names;
+    const auto file = run.csv.find("methods.csv");
+    if (file == run.csv.end()) return names;
+    const core::CsvTable& table = file->second;
+    const std::size_t name = table.find("method"), ink = table.find("ink");
+    for (const auto& record : table.records) {
+        if (ink < record.size() && record[ink] == "true")
+            names.insert(core::unquoted(record[name]));
+    }
+    return names;
+}
+
 /// A view's entry: its key, and its images as JSON; from the factor of index `first` on.
-AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
+AtFactors packed_view(const harness::ShownView& view,
+                      const std::set<std::string>& ink_methods,
+                      std::size_t first) {
     const draw::ErrorMarker marker(view.labels, {});
+    std::vector<std::string> inks(view.images.size(), "null");
+    if (kFactors[first] == 1) {
+        for (const auto& [method, image] : view.image_of) {
+            if (ink_methods.contains(method))
+                inks[image] = fmt::format("\"{}\"", png_of(view.images[image].edge_response));
+        }
+    }
     std::vector<AtFactors> pngs(view.images.size() + 1);
     core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
         if (i == 0) {
@@ -120,12 +144,13 @@ AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
         for (std::size_t i = 1; i < pngs.size(); ++i)
             images.push_back(fmt::format("\"{}\"", pngs[i][f]));
         packed[f] = fmt::format(
-            R"({}:{{"width":{},"height":{},"truth":"{}","images":{},"methods":{{{}}}}})",
+            R"({}:{{"width":{},"height":{},"truth":"{}","images":{},"inks":{},"methods":{{{}}}}})",
             json_text(view.scene + "\n" + view.view),
             view.labels.width_px(),
             view.labels.height_px(),
             pngs[0][f],
             json_array(images),
+            kFactors[f] == 1 ? json_array(inks) : "[]",
             fmt::join(methods, ","));
     }
     return packed;
@@ -221,6 +246,9 @@ std::string packed_table(const core::CsvTable& table) {
 std::string packed_images(const std::vector<experiment::RunData>& runs, std::size_t budget_bytes) {
     std::array<Packed, kFactors.size()> packed;
     packed.fill({std::vector<std::string>(runs.size())});
+    std::vector<std::set<std::string>> inks_of_run;
+    for (const experiment::RunData& run : runs)
+        inks_of_run.push_back(ink_methods(run));
     // Each image is read and marked once: what is too much at one factor is there at the next.
     std::size_t first = 0;
     const std::vector<ViewPlace> places = view_places(runs);
@@ -230,7 +258,7 @@ std::string packed_images(const std::vector<experiment::RunData>& runs, std::siz
         core::parallel_for(count, core::hardware_threads(), [&](std::size_t i) {
             const ViewPlace& place = places[at + i];
             const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
-            if (view) views[i] = packed_view(*view, first);
+            if (view) views[i] = packed_view(*view, inks_of_run[place.run], first);
         });
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t f = first; f < kFactors.size(); ++f)

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "harness/cells/cell.h"
+#include "methods/antialias.h"
 #include "methods/method_configs.h"
 
 namespace ink::harness {
@@ -26,11 +27,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 TEST(MethodsTable, BaselineRowsSayWhatTheyAreForAndNothingElse) {
     EXPECT_THAT(
         lines_of(methods_csv({})),
-        ElementsAre("method,role,family,marker,tunables,bytes_per_px,preset_of,source,params",
-                    "none,floor,,,,,,,",
-                    "sampled,one_sample,,,,,,,",
-                    "exact_corner,one_sample,,,,,,,",
-                    "oracle,exact,,,,,,,"));
+        ElementsAre("method,role,family,marker,tunables,bytes_per_px,ink,preset_of,source,params",
+                    "none,floor,,,,,,,,",
+                    "sampled,one_sample,,,,,,,,",
+                    "exact_corner,one_sample,,,,,,,,",
+                    "oracle,exact,,,,,,,,"));
 }
 
 TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
@@ -40,7 +41,7 @@ TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
     EXPECT_THAT(line,
                 StartsWith("decaudin,method,full_buffers,circle,"
                            "k_depth:0.001..1;k_normal:0.01..2;join:max|or|length;threshold:1..255,"
-                           "20,,"));
+                           "20,false,,"));
     // The source has commas: one field in quotes.
     EXPECT_THAT(line, HasSubstr(",\"Decaudin, Cartoon-looking rendering"));
     EXPECT_THAT(line,
@@ -63,9 +64,20 @@ TEST(MethodsTable, BytesFollowTheSettingsAndAreEmptyWhereTheSceneDecides) {
     EXPECT_EQ(bytes("mote4", {"depth_format=q32"}), 5);
     EXPECT_EQ(bytes("mote4", {"depth_format=z16"}), 3);
     EXPECT_THAT(lines_of(methods_csv(methods::make_configs("mote4", {"depth_format=z16"}))).at(5),
-                HasSubstr("threshold:1..64,3,,"));
+                HasSubstr("threshold:1..64,3,false,,"));
     EXPECT_THAT(lines_of(methods_csv(methods::make_configs("auto", {}))).at(5),
-                StartsWith("auto,method,other,up,threshold:1..255,,,"));
+                StartsWith("auto,method,other,up,threshold:1..255,,false,,"));
+}
+
+TEST(MethodsTable, SaysWhichMethodsDrawInk) {
+    const std::vector<method::MethodConfig> configs =
+        methods::at_each_antialias(methods::make_configs("strokes,ids", {}),
+                                   {methods::Antialias::none, methods::Antialias::resolve4},
+                                   1);
+    const std::vector<std::string> lines = lines_of(methods_csv(configs));
+    EXPECT_THAT(lines.at(5), HasSubstr(",8,true,"));
+    EXPECT_THAT(lines.at(6), HasSubstr(",false,")) << "strengths";
+    EXPECT_THAT(lines.at(7), HasSubstr(",true,")) << "its samples averaged";
 }
 
 TEST(MethodsTable, HasALinePerConfigOfARun) {

@@ -31,6 +31,8 @@ class PageTest(BrowserTest):
         cls.printed = inkbench("compare", "--scenes", "cube,torus,tiles,blocks,hills,gear,staircase", "--methods",
                                "mote4,ids,edge_hash,surface8", "--size", "160x90", "--repetitions", "1", "--no-sweep",
                                "--no-crosscheck", "--images", "none", "--out", cls.folder / "seven")
+        inkbench("compare", "--scenes", "cube", "--methods", "strokes,ids", "--size", "160x90", "--repetitions", "1",
+                 "--no-crosscheck", "--out", cls.folder / "ink")
         cls.page = cls.folder / "two.html"
         inkbench("report", cls.folder / "before", cls.folder / "after", "-o", cls.page)
 
@@ -305,6 +307,17 @@ class PageTest(BrowserTest):
         self.assertGreater(done[3], 50)
         if wrong:
             self.assertGreater(done[2], 0)
+
+    def test_viewer_shows_ink_with_its_grey(self):
+        self.open(self.folder / "ink" / "report.html")
+        colours = self.browser.execute_async_script(
+            "const done = arguments[0]; const {scene, view} = runs[0].rows[0];"
+            "const colours = (image, look) => new Set(new Uint32Array(paintCodes(image, look).getContext('2d')"
+            "    .getImageData(0, 0, image.width, image.height).data.buffer)).size;"
+            "Promise.all(['strokes', 'ids'].map(method => viewImages.codes(runs[0], scene, view, method))).then(images =>"
+            "    done(images.map(image => ['errors', 'causes', 'drawn'].map(look => colours(image, look)))))")
+        self.assertGreater(min(colours[0]), 50, "strokes")
+        self.assertLess(max(colours[1]), 10, "ids")
 
     def test_chart_toggles_its_axis(self):
         self.open(part="time")

@@ -119,6 +119,17 @@ TEST_F(RunPage, HoldsTheImagesOfEveryView) {
     EXPECT_THAT(view["images"].at(image).get<std::string>(), testing::StartsWith("iVBORw0KGgo"));
 }
 
+TEST_F(RunPage, HoldsTheInkOfMethodsThatDrawIt) {
+    const auto ink_of = [this](const char* is_ink) {
+        run_.csv = experiment::split_tables(
+            {{"methods.csv", std::string("method,ink\nmote4,") + is_ink + "\n"}}, run_.folder);
+        const auto images = nlohmann::json::parse(packed_images({run_}, 1'000'000));
+        return images[0]["cube\nfront"]["inks"].at(0);
+    };
+    EXPECT_TRUE(ink_of("false").is_null());
+    EXPECT_THAT(ink_of("true").get<std::string>(), testing::StartsWith("iVBORw0KGgo"));
+}
+
 TEST_F(RunPage, ImagesStayInTheirBudget) {
     const std::size_t whole = packed_images({run_}, 1'000'000).size();
     const std::string shrunk = packed_images({run_}, whole / 2);

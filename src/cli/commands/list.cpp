@@ -20,6 +20,7 @@
 #include "experiment/dictionary.h"
 #include "harness/rows/methods_table.h"
 #include "harness/rows/row_table.h"
+#include "methods/antialias.h"
 #include "methods/method_configs.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
@@ -199,7 +200,10 @@ void check_topic(bool is_asked, const char* flag, const std::string& what, const
 std::string list_text(const ListArgs& args) {
     check_topic(args.is_csv, "--csv", args.what, "methods");
     check_topic(args.is_markdown, "--markdown", args.what, "columns");
-    if (args.is_csv) return harness::methods_csv(methods::make_configs("", {}));
+    if (args.is_csv) {
+        return harness::methods_csv(methods::at_each_antialias(
+            methods::make_configs("", {}), {methods::Antialias::none}, 1));
+    }
     if (args.is_markdown) return experiment::dictionary_markdown();
     if (!args.what.empty()) check_known(args.what);
     if (args.is_json) return listing_json(args.what.empty() ? "all" : args.what).dump(2) + "\n";

@@ -21,6 +21,7 @@ struct MethodLine {
     std::string marker = {};
     std::string tunables = {};
     std::optional<int> bytes_per_px = {};
+    std::optional<bool> ink = {};
     std::string preset_of = {};
     std::string source = {};
     std::string params = {};
@@ -43,6 +44,8 @@ const core::TableOf<MethodLine>& table() {
         table.add(
             {"bytes_per_px", "B/px", "of its buffers, depth included; empty if scenes decide"},
             &M::bytes_per_px);
+        table.add({"ink", "", "true where its edge responses are shares of pixels, not strengths"},
+                  &M::ink);
         table.add({"preset_of", "", "the method whose settings a preset changes"}, &M::preset_of);
         table.add({"source", "", "where the method comes from"}, &M::source);
         table.add({"params", "", "every parameter, key=value;key=value"}, &M::params);
@@ -79,6 +82,7 @@ MethodLine line_of(const method::MethodConfig& config) {
             .marker = std::string(name_of(info.marker)),
             .tunables = tunables_of(info),
             .bytes_per_px = config.is_outside ? std::nullopt : info.bytes_per_px(config.settings),
+            .ink = config.is_grey,
             .preset_of = info.preset_of,
             .source = info.source,
             .params = join_params(info.complete(config.settings))};

@@ -9,7 +9,7 @@
 namespace ink::harness {
 
 /// The columns of methods.csv: method, role (method, floor, one_sample or exact), family, marker,
-/// tunables, bytes_per_px, preset_of, source, params.
+/// tunables, bytes_per_px, ink, preset_of, source, params.
 [[nodiscard]] const core::TableInfo& methods_table();
 
 /// methods.csv: a line per baseline (none, sampled, exact_corner, oracle), then one per

@@ -1,14 +1,15 @@
 // Images of views, as pixel codes: what the page shows of them is coloured here.
 //
 // A truth holds the class of each pixel (0 none, 1 contour, ..., 7 does not count). A method's image
-// holds 0 paper, 1 does not count, 2 a right pixel, and 3 + cause for a wrong one.
+// holds 0 paper, 1 does not count, 2 a right pixel, and 3 + cause for a wrong one. Beside it may be the
+// share of each pixel that is ink, 0..255.
 
 const FIRST_WRONG = 3;
 const FIRST_MISSING = FIRST_WRONG + CAUSES.findIndex(cause => cause.kind === 'false_negatives');
 
 class ViewImages {
     constructor(packed) {
-        this.packed = packed; // per run: {"scene\nview": {width, height, truth, images, methods}}
+        this.packed = packed; // per run: {"scene\nview": {width, height, truth, images, inks, methods}}
         this.decoded = new Map();
     }
 
@@ -24,23 +25,29 @@ class ViewImages {
     }
 
     /// The codes of a truth ('truth') or of a method's image: a promise of {width, height, codes,
-    /// isTruth}, or of null.
+    /// isTruth, ink}, or of null.
     codes(run, scene, view, method) {
         const entry = this.entry(run, scene, view);
         if (!entry) return Promise.resolve(null);
         const isTruth = method === 'truth' || method === 'oracle';
-        const data = isTruth ? entry.truth : entry.images[entry.methods[method]];
+        const index = entry.methods[method];
+        const data = isTruth ? entry.truth : entry.images[index];
         if (!data) return Promise.resolve(null);
         const key = [run.index, scene, view, isTruth ? 'truth' : method].join('\n');
         if (!this.decoded.has(key)) {
             if (this.decoded.size > 80) this.decoded.delete(this.decoded.keys().next().value);
-            this.decoded.set(key, decodeCodes(data, isTruth));
+            this.decoded.set(key, decodeCodes(data, isTruth, !isTruth && entry.inks[index]));
         }
         return this.decoded.get(key);
     }
 }
 
-async function decodeCodes(data, isTruth) {
+async function decodeCodes(data, isTruth, ink) {
+    const [image, shares] = await Promise.all([data, ink].map(png => png && decodeGrey(png)));
+    return {width: image.width, height: image.height, codes: image.bytes, isTruth, ink: shares && shares.bytes};
+}
+
+async function decodeGrey(data) {
     const image = new Image();
     image.src = `data:image/png;base64,${data}`;
     await image.decode();
@@ -49,9 +56,7 @@ async function decodeCodes(data, isTruth) {
     const context = canvas.getContext('2d', {willReadFrequently: true});
     context.drawImage(image, 0, 0);
     const pixels = context.getImageData(0, 0, width, height).data;
-    const codes = new Uint8Array(width * height);
-    for (let i = 0; i < codes.length; ++i) codes[i] = pixels[4 * i];
-    return {width, height, codes, isTruth};
+    return {width, height, bytes: Uint8Array.from({length: width * height}, (_, i) => pixels[4 * i])};
 }
 
 /// How much a code matters where several pixels become one: errors over lines over paper; of classes
@@ -97,7 +102,7 @@ function thickenCodes(image) {
             if (y + 1 < height) spread(at, at + width);
         }
     }
-    return {width, height, codes, isTruth: image.isTruth};
+    return {...image, codes};
 }
 
 /// The colour of every code. `look` is 'errors' (missing, false), 'causes' or 'drawn'.
@@ -114,14 +119,28 @@ function colourTable(isTruth, look) {
     return [paper, look === 'drawn' ? paper : IGNORED_RGB, ink, ...wrong];
 }
 
-/// The codes in colour, on a canvas of the image's size.
+/// The colour of every share of ink on paper, mixed in linear light as src/shade/lay_ink.cpp does.
+function inkTable() {
+    const light = value => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+    const value = of => (of <= 0.0031308 ? 12.92 * of : 1.055 * of ** (1 / 2.4) - 0.055);
+    const [paper, ink] = LABEL_RGB.map(rgb => rgb.map(part => light(part / 255)));
+    return Array.from({length: 256}, (_, share) =>
+        paper.map((under, part) => Math.round(255 * value(under + (share / 255) * (ink[part] - under)))));
+}
+
+function packedColours(table) {
+    return Uint32Array.from(table, ([r, g, b]) => (255 << 24) | (b << 16) | (g << 8) | r);
+}
+
+/// The codes in colour, on a canvas of the image's size. Ink is grey wherever no code says more.
 function paintCodes(image, look) {
-    const table = colourTable(image.isTruth, look);
-    const packed = new Uint32Array(256);
-    table.forEach(([r, g, b], code) => { packed[code] = (255 << 24) | (b << 16) | (g << 8) | r; });
+    const packed = packedColours(colourTable(image.isTruth, look));
+    const grey = image.ink && packedColours(inkTable());
+    const isGrey = packed.map((_, code) => image.ink && (look === 'drawn' || code === 0 || code === FIRST_WRONG - 1));
     const pixels = new ImageData(image.width, image.height);
     const words = new Uint32Array(pixels.data.buffer);
-    for (let i = 0; i < words.length; ++i) words[i] = packed[image.codes[i]];
+    for (let i = 0; i < words.length; ++i)
+        words[i] = isGrey[image.codes[i]] ? grey[image.ink[i]] : packed[image.codes[i]];
     const canvas = new OffscreenCanvas(image.width, image.height);
     canvas.getContext('2d').putImageData(pixels, 0, 0);
     return canvas;
