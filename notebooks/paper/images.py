@@ -26,7 +26,7 @@ class Drawing:
     """What one method drew on a view.
 
     response: edge response 0..255; errors: codes of wrong pixels, 0 elsewhere; drawn: where the
-    response counts as a line. row: its line of rows.csv.
+    response counts as a line. row: its line of rows.csv. is_ink: the response is a share of the pixel.
     """
 
     method: str
@@ -34,6 +34,7 @@ class Drawing:
     response: np.ndarray
     errors: np.ndarray
     drawn: np.ndarray
+    is_ink: bool = False
 
 
 @dataclass
@@ -95,7 +96,9 @@ def shown_views(runs, most):
                       "keeps them")
     if runs.scenes is None and len(views) > most:
         views = [views[i * len(views) // most] for i in range(most)]
-    views = [_read_view(*view, methods) for view in views]
+    registry = runs.registry()
+    ink = set(registry.index[registry["ink"] == "true"]) if "ink" in registry else set()
+    views = [_read_view(*view, methods, ink) for view in views]
     for view in views:
         is_one = sum(other.scene == view.scene for other in views) == 1
         view.title = view.scene if is_one else f"{view.scene} {view.name}"
@@ -104,7 +107,7 @@ def shown_views(runs, most):
     return views
 
 
-def _read_view(scene, name, path, rows, methods):
+def _read_view(scene, name, path, rows, methods, ink):
     labels = read_image(path / "truth.png")
     drawings = []
     of_size = rows[(rows["width"] == labels.shape[1]) & (rows["height"] == labels.shape[0])]
@@ -119,7 +122,8 @@ def _read_view(scene, name, path, rows, methods):
         if errors.max(initial=0) >= MISSING_CODES.stop:
             raise BadInput(path / f"{file_name(method)}.errors.png",
                            f"a pixel holds {errors.max()}", f"0..{MISSING_CODES.stop - 1}")
-        drawings.append(Drawing(method, row, response, errors, response >= row["threshold"]))
+        drawings.append(Drawing(method, row, response, errors, response >= row["threshold"],
+                                method in ink))
     return View(scene, name, path, labels, drawings)
 
 

@@ -8,7 +8,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 
-from paper.style import FONTS, INK, MIST
+from paper.style import FONTS, INK, MIST, PAPER
 
 # Images are made for a grid of 200 pixels an inch, so that a line one pixel wide has a third of a
 # point on paper; PNGs of 400 take each as two by two.
@@ -47,6 +47,16 @@ def colours_of(table):
     """A list of colours, one a code, as an array to index with codes."""
     return np.array([[round(255 * part) for part in to_rgb(colour)] for colour in table],
                     dtype=np.uint8)
+
+
+def ink_table(colour):
+    """The colour on paper by its share of a pixel, 0..255, mixed in linear light as
+    `src/shade/lay_ink.cpp` does."""
+    paper, ink = np.array([to_rgb(PAPER), to_rgb(colour)])
+    light = [np.where(of <= 0.04045, of / 12.92, ((of + 0.055) / 1.055) ** 2.4) for of in (paper, ink)]
+    mixed = light[0] + np.linspace(0, 1, 256)[:, None] * (light[1] - light[0])
+    value = np.where(mixed <= 0.0031308, 12.92 * mixed, 1.055 * mixed ** (1 / 2.4) - 0.055)
+    return np.rint(255 * value).astype(np.uint8)
 
 
 class Sheet:

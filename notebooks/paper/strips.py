@@ -8,7 +8,7 @@ from matplotlib.collections import LineCollection
 from paper import images
 from paper.chart import Chart, Nothing
 from paper.runs import CLASSES, BadInput, counted, file_name, ms
-from paper.sheet import GRID_DPI, Sheet, colours_of, text_width_px, wrapped_name
+from paper.sheet import GRID_DPI, Sheet, colours_of, ink_table, text_width_px, wrapped_name
 from paper.style import (CAUSES, CLASS_COLOURS, FALSE, FALSE_CAUSES, INK, MISSING, MISSING_CAUSES,
                          MIST, MM_PER_IN, PAPER)
 
@@ -28,6 +28,15 @@ def mark_table(causes, hit=INK):
     else:
         wrong = [FALSE] * len(FALSE_CAUSES) + [MISSING] * len(MISSING_CAUSES)
     return colours_of([PAPER, MIST, hit] + wrong)
+
+
+def drawn_colours(drawing, codes, response, causes, hit=INK):
+    """What a drawing shows where its marks and responses are these: ink is grey wherever it is not wrong."""
+    colours = mark_table(causes, hit)[codes]
+    if drawing.is_ink:
+        is_grey = (codes == images.BLANK) | (codes == images.HIT)
+        colours[is_grey] = ink_table(hit)[response[is_grey]]
+    return colours
 
 
 _MARK_RANK = np.arange(images.WRONG + images.MISSING_CODES.stop)
@@ -65,6 +74,8 @@ def _chart(sheet, views, style, runs):
         f"{colours}. Below each: {windows}; grey pixels are drawn and right, outlined ones are true. "
         "In the whole images a wrong pixel is drawn larger than it is, to be seen in print. F at "
         "2 px and the time of a frame are of this view. " + runs.source("rows.csv"))
+    if any(drawing.is_ink for view in views for drawing in view.drawings):
+        caption += " Ink is as dark as its share of a pixel."
     facts = []
     for view in views:
         best = max(view.drawings, key=lambda d: d.row["f_2px"])
@@ -188,7 +199,8 @@ class _Band:
         small = images.shrunk(self._marks(drawing)[part], size, _MARK_RANK)
         if pw > 1.2 * size[0]:
             small = _enlarged_errors(small)
-        return mark_table(self._style.causes)[small]
+        darkest = images.shrunk(drawing.response[part], size, np.arange(256))
+        return drawn_colours(drawing, small, darkest, self._style.causes)
 
     def _marks(self, drawing):
         if drawing.method not in self._known:
@@ -219,7 +231,8 @@ class _Band:
         def colours():
             if drawing is None:
                 return _CLASS_TABLE[truth]
-            return mark_table(self._style.causes, _HIT_IN_ZOOM)[self._marks(drawing)[part]]
+            return drawn_colours(drawing, self._marks(drawing)[part], drawing.response[part],
+                                 self._style.causes, _HIT_IN_ZOOM)
 
         def outline(ax):
             if drawing is not None:

@@ -234,6 +234,17 @@ class Strips(unittest.TestCase):
         is_alone = sum(t.get_text() == best for t in texts) == 1
         self.assertEqual([t.get_text() for t in bold], [best] if is_alone else [])
 
+    def test_ink_is_as_dark_as_its_share(self):
+        view, = images.shown_views(runs_of("ink"), 1)
+        for drawing, is_ink in zip(view.drawings, (True, False)):
+            self.assertEqual(drawing.is_ink, is_ink, drawing.method)
+            marks = images.marks(view, drawing)
+            marks[0, 0] = images.WRONG + 1
+            shown = strips.drawn_colours(drawing, marks, drawing.response, causes=False)
+            for code in (images.BLANK, images.HIT):
+                self.assertEqual(len(np.unique(shown[marks == code], axis=0)) > 2, is_ink, drawing.method)
+            self.assertTrue((shown[0, 0] == strips.mark_table(False)[images.WRONG + 1]).all())
+
     def test_windows_are_those_given(self):
         runs = runs_of("compare", scenes=["cube"])
         chart, = strips.strips(runs, style_of(runs, windows=[(10, 20, 30, 16), (50, 40, 20, 10)]))
