@@ -15,11 +15,13 @@
 #include "edge/threshold.h"
 #include "harness/cells/cell.h"
 #include "harness/clock/timing.h"
+#include "methods/antialias.h"
 #include "raster/mesh/mesh_pass.h"
 #include "scene/animation.h"
 #include "scene/views/camera_path.h"
 #include "shade/compose.h"
 #include "shade/hand_lines.h"
+#include "shade/lay_ink.h"
 #include "shade/shading.h"
 
 namespace ink::studies {
@@ -103,6 +105,7 @@ shade::Colors paper_colors() {
 struct Player {
     method::MethodConfig config;
     int threshold = method::threshold_of(config);
+    bool is_ink = methods::draws_ink(*config.info);
     std::unique_ptr<method::Method> method = config.info->make(config.settings);
     edge::EdgeImage edge_responses = {};
     std::vector<std::string> hashes = {};  ///< of its frames, as first drawn
@@ -253,8 +256,11 @@ class Demo {
             method.draw({view, options_.threads, options_.skips}, player.edge_responses);
         });
         line.compose_ns = time_ns([&] {
-            image_ = shade::compose(
-                player.edge_responses, plain_.image(), {{0, 0, 0}, player.threshold});
+            constexpr shade::Rgb kBlack{0, 0, 0};
+            const edge::EdgeImage& lines = player.edge_responses;
+            image_ = player.is_ink
+                         ? shade::lay_ink(lines, plain_.image(), kBlack)
+                         : shade::compose(lines, plain_.image(), {kBlack, player.threshold});
         });
         line.image_hash = core::image_hash(player.edge_responses);
         if (line.pass == 0) player.hashes.push_back(line.image_hash);

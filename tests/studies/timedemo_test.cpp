@@ -65,7 +65,7 @@ TEST(Timedemo, DrawsEveryFrameOfEveryPassAlongThreePaths) {
     const harness::SceneViews gear =
         harness::make_scene_views(harness::load_scene("gear"), request);
     TimedemoOptions options;
-    options.configs = methods::make_configs("mote4,decaudin", {});
+    options.configs = methods::make_configs("mote4,strokes", {});
     options.frames = 3;
     options.cached_passes = 1;
     const auto frames = run_timedemo(gear, options);
