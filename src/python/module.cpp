@@ -217,7 +217,7 @@ void add_functions_of_views(py::module_& module) {
     add("draw",
         &draw,
         "Draws one view with one method: its edge responses, uint8, (height, width), 0 no line .. "
-        "255.",
+        "255; of strokes and chords the share of each pixel that ink covers.",
         draw_keywords(),
         method,
         scene,

@@ -43,13 +43,14 @@ class Module(unittest.TestCase):
 
     def test_drawing_is_that_of_the_program(self):
         for method, settings in (("mote4", {}), ("surface8", {}), ("ids", {"samples": "corner"}),
-                                 ("surface8", {"turn_deg": 5}), ("mote4", {"fatten": True, "threshold": np.int64(9)})):
+                                 ("surface8", {"turn_deg": 5}), ("mote4", {"fatten": True, "threshold": np.int64(9)}), ("strokes", {"width_px": 2})):
             texts = [text for key, value in settings.items() for text in ("--set", f"{key}={value}".lower())]
             run("draw", "torus", "--method", method, "--size", "320x180", "--response", *texts, "-o",
                 self.file("edges.png"))
             edges = inkbench.draw(method, "torus", **SIZE, settings=settings)
             np.testing.assert_array_equal(edges, read_gray(self.file("edges.png")))
             self.assertGreater(edges.max(), 0)
+        self.assertGreater(len(np.unique(edges)), 100, "ink is grey")
 
     def test_score_is_that_of_the_program(self):
         truth = inkbench.truth("torus", **SIZE)
