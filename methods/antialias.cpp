@@ -142,9 +142,7 @@ std::vector<Antialias> parse_antialias(const std::vector<core::GivenText>& names
 }
 
 bool draws_ink(const method::MethodInfo& info) {
-    return std::any_of(info.params.begin(), info.params.end(), [](const core::Param& param) {
-        return param.name == "threshold" && param.unit == kShareUnit;
-    });
+    return info.draws_ink;
 }
 
 int samples_per_side(Antialias antialias) {

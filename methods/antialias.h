@@ -32,9 +32,6 @@ inline constexpr std::array<std::string_view, 3> kAntialiasNames = {
 /// or no. A line of a pixel or more covers half of one pixel at least wherever it lies.
 inline constexpr int kGreyThreshold = 128;
 
-/// The unit of a threshold that is a share of a pixel: of a method that draws ink.
-inline constexpr std::string_view kShareUnit = "of 255";
-
 /// Whether the edge responses of a method are shares of pixels, not strengths.
 [[nodiscard]] bool draws_ink(const method::MethodInfo& info);
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "buffers/surface_method.h"
-#include "methods/antialias.h"
 #include "methods/grey_lines/line_widths.h"
 #include "methods/grey_lines/piece.h"
 #include "methods/mesh_lookup/lookup_method.h"
@@ -26,7 +25,7 @@ core::ParamTable<P>& add_ink_params(core::ParamTable<P>& table) {
                 "px",
                 "Least step of depth, beyond what the surface goes on by at either sample, that is "
                 "looked up; as long as so many pixels are there.")
-        .number(&P::threshold, "threshold", {1, 255}, kShareUnit, "Least share of a line pixel.");
+        .number(&P::threshold, "threshold", {1, 255}, "of 255", "Least share of a line pixel.");
 }
 
 /// A method that draws the lines behind the samples of surface_lookup as ink.
@@ -35,6 +34,9 @@ core::ParamTable<P>& add_ink_params(core::ParamTable<P>& table) {
 /// reach in. Each finished tile is walked between its samples; then every cell between four samples
 /// makes pieces of lines of what was found on its sides; then these are drawn.
 class InkMethod : public buffers::SurfaceMethod<LookupPass> {
+  public:
+    static constexpr bool kDrawsInk = true;
+
   protected:
     explicit InkMethod(const InkParams& params);
 

@@ -152,6 +152,8 @@ struct MethodInfo {
     bool is_planned = false;
     /// What it draws depends on the threshold, not only what of that is scored.
     bool draws_by_threshold = false;
+    /// Its edge responses are shares of pixels, of 255: ink, not strengths.
+    bool draws_ink = false;
     /// Settings that span what the method can do, from its fastest to its most exact: over these
     /// its Pareto front is drawn. Eight at least; each is complete()d with the defaults.
     std::vector<core::ParamValues> sweep = {};
@@ -179,9 +181,8 @@ using MakeMethod = std::unique_ptr<Method> (*)(const core::ParamRows& rows,
                                      MakeMethod make);
 
 /// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its parameters, a
-/// constructor from `Params` and, if it draws by the threshold, `kDrawsByThreshold`: what is code
-/// of a method. The rest is data:
-/// methods/<name>/<name>.toml.
+/// constructor from `Params`, `kDrawsByThreshold` if it draws by the threshold, and `kDrawsInk` if
+/// it draws ink: what is code of a method. The rest is data: methods/<name>/<name>.toml.
 template <class M>
 [[nodiscard]] MethodInfo method_info(std::string_view name) {
     constexpr bool kByThreshold = requires {
@@ -194,7 +195,11 @@ template <class M>
         rows.read(&params, values, where);
         return std::make_unique<M>(params);
     };
-    return method_info(name, M::table().rows(), kByThreshold, make);
+    MethodInfo info = method_info(name, M::table().rows(), kByThreshold, make);
+    info.draws_ink = requires {
+        M::kDrawsInk;
+    };
+    return info;
 }
 
 /// Appends the row `threshold`, which every method has.
