@@ -5,7 +5,7 @@ import numpy as np
 
 from paper import layout
 from paper.chart import Chart, Nothing
-from paper.runs import ONE_SAMPLE, answer_of, extent, ms
+from paper.runs import ONE_SAMPLE, Judged, answer_of, extent, ms
 from paper.style import FAINT, MIST
 
 
@@ -43,7 +43,8 @@ def error_time(runs, style):
         if is_free:
             break
         plt.close(figure)
-    points = {m: (line["draw_ms"], 1 - line["f_2px"]) for m, line in lines.iterrows()}
+    by = Judged(lines)
+    points = {m: (line["draw_ms"], 1 - line[by.f]) for m, line in lines.iterrows()}
     facts = answer_of(lines)[1] + ["from the fastest, each better than all before: " + "; ".join(
         f"{m} {ms(points[m][0])} ms, error {points[m][1]:.3f}" for m in front(points))]
     rows = runs.table_if_any("rows.csv")
@@ -62,14 +63,15 @@ def _error_time(style, summary, lines, height_in):
     ax = axes[0, 0]
     ax.set_xscale("log")
     ax.set_yscale("log")
-    times, errors = lines["draw_ms"], 1 - lines["f_2px"]
+    by = Judged(lines)
+    times, errors = lines["draw_ms"], 1 - lines[by.f]
     # One view has no quartiles.
     low_t = np.minimum(lines["draw_ms_lo"].fillna(times), times).min()
     high_t = np.maximum(lines["draw_ms_hi"].fillna(times), times).max()
-    error_lo = (1 - lines["f_hi"].fillna(lines["f_2px"])).clip(lower=1e-4)
-    error_hi = (1 - lines["f_lo"].fillna(lines["f_2px"])).clip(lower=1e-4)
-    one_sample = {name: 1 - summary.loc[name, "f_2px"] for name in ONE_SAMPLE
-                  if name in summary.index and summary.loc[name, "f_2px"] < 1}
+    error_lo = (1 - lines[by.high].fillna(lines[by.f])).clip(lower=1e-4)
+    error_hi = (1 - lines[by.low].fillna(lines[by.f])).clip(lower=1e-4)
+    one_sample = {name: 1 - summary.loc[name, by.f] for name in ONE_SAMPLE
+                  if name in summary.index and summary.loc[name, by.f] < 1}
     low_e, high_e = min([error_lo.min(), *one_sample.values()]), error_hi.max()
     if high_t < 1.5 * low_t:  # one method, or all alike: an axis needs some length
         low_t, high_t = low_t / 1.5, high_t * 1.5
@@ -79,7 +81,7 @@ def _error_time(style, summary, lines, height_in):
     ax.set_ylim(low_e / (high_e / low_e) ** 0.07, high_e * (high_e / low_e) ** 0.07)
     layout.plain_ticks(ax)
     ax.set_xlabel("time of a frame, ms")
-    ax.set_ylabel("error 1 − F at 2 px")
+    ax.set_ylabel(f"error 1 − {by.title}")
     points = {m: (times[m], errors[m]) for m in lines.index}
     best = front(points)
     ax.step([points[m][0] for m in best] + [ax.get_xlim()[1]],

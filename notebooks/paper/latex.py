@@ -3,7 +3,7 @@
 import pandas as pd
 
 from paper.chart import Nothing, Table
-from paper.runs import BASELINES, CLASS_PARTS, RECALL_GROUPS, answer_of, counted, ms
+from paper.runs import BASELINES, CLASS_PARTS, RECALL_GROUPS, Judged, answer_of, counted, ms
 from paper.style import MM_PER_IN
 
 _WIDE_MM = 120
@@ -33,8 +33,15 @@ def _numbers(values, digits):
     return texts
 
 
+def _scores(lines, column):
+    """An F with three digits, the best of the methods bold."""
+    are_baselines = lines.index.isin(BASELINES)
+    return [f"{own:.3f}" if is_baseline and not pd.isna(own) else text for text, own, is_baseline in zip(
+        _numbers(lines[column].where(~are_baselines), 3), lines[column], are_baselines)]
+
+
 def verdict(runs, style):
-    """F with its interval, time, bytes and, on a wide page, recall by class, a line a method.
+    """F, or soft F before it, with its interval, time, bytes and, on a wide page, recall by class, a line a method.
 
     The method that the program answers with has its name in bold.
     """
@@ -46,14 +53,13 @@ def verdict(runs, style):
     lines = summary.loc[order]
     is_wide = style.width_in * MM_PER_IN >= _WIDE_MM
     answer, facts = answer_of(lines)
+    by = Judged(lines)
     columns = {"method": [rf"\textbf{{{_escaped(m)}}}" if m == answer else _escaped(m)
                           for m in order],
-               "$F$": _numbers(lines["f_2px"].where(~lines.index.isin(BASELINES)), 3),
+               by.name.replace("F", "$F$"): _scores(lines, by.f),
                r"95\,\%": ["--" if pd.isna(a) else f"{a:.3f}--{b:.3f}"
-                           for a, b in zip(lines["f_lo"], lines["f_hi"])]}
-    for i, name in enumerate(order):
-        if name in BASELINES and not pd.isna(lines.loc[name, "f_2px"]):
-            columns["$F$"][i] = f"{lines.loc[name, 'f_2px']:.3f}"
+                           for a, b in zip(lines[by.low], lines[by.high])],
+               "$F$": _scores(lines, "f_2px")}
     if lines["draw_ms"].notna().any():
         columns["ms"] = ["--" if pd.isna(v) else ms(v) for v in lines["draw_ms"]]
     columns["B/px"] = ["--" if pd.isna(v) else f"{v:g}" for v in lines["bytes_per_px"]]
@@ -77,8 +83,8 @@ def verdict(runs, style):
             out.append(r"\addlinespace")
         out.append(" & ".join(line) + r" \\")
     out += [r"\bottomrule", r"\end{tabular}", ""]
-    return Table("\n".join(out), f"F at 2 px of {counted(len(methods), 'method')} with its 95 % "
-                 "interval, the time of a frame and the bytes of its buffers"
+    return Table("\n".join(out), f"{by.title} of {counted(len(methods), 'method')} with its 95 % interval, "
+                 + ("F at 2 px, " if by.name != "F" else "") + "the time of a frame and the bytes of its buffers"
                  + (", and recall by class of line" if there else "")
                  + "; bold is best where no other shows the same digits, and the name of the method "
                  "that is the cheapest of those with nearly the best F; below the baselines. "

@@ -244,20 +244,32 @@ def ms(value):
     return f"{value:.{digits}f}"
 
 
+class Judged:
+    """What the program answers by: columns of summary.csv, the soft F of a run that scored ink, else F."""
+
+    def __init__(self, lines):
+        is_soft = "soft_f" in lines
+        self.f, self.low, self.high = ("soft_f", "soft_lo", "soft_hi") if is_soft else ("f_2px", "f_lo", "f_hi")
+        self.name, self.title = ("soft F", "soft F") if is_soft else ("F", "F at 2 px")
+        self.error_scene = "soft_error_scene" if is_soft else "error_scene"
+
+
 def answer_of(lines):
     """The method that the program answers with, or None; and that and the most exact as facts."""
+    by = Judged(lines)
+
     def fact(what, name):
         line = lines.loc[name]
-        return f"{what}: {name}, F {line['f_2px']:.3f}" + \
+        return f"{what}: {name}, {by.name} {line[by.f]:.3f}" + \
             ("" if pd.isna(line["draw_ms"]) else f" in {ms(line['draw_ms'])} ms")
 
     places = lines["answer"].fillna("") if "answer" in lines else pd.Series("", lines.index)
     found = list(places.index[places.isin(["answer", "both"])])
     facts = [fact("the answer", name) for name in found] + \
         [fact("the most exact", name) for name in places.index[places == "best"]]
-    if "error_scene_share" in lines:
-        facts += [f"{name}: {100 * line['error_scene_share']:.0f} % of its error in "
-                  f"{line['error_scene']}" for name, line in lines.iterrows()
-                  if line["kind"] == "method" and line["scenes"] >= 6
-                  and line["error_scene_share"] > 0.5]
+    share = by.error_scene + "_share"
+    if share in lines:
+        facts += [f"{name}: {100 * line[share]:.0f} % of its error in "
+                  f"{line[by.error_scene]}" for name, line in lines.iterrows()
+                  if line["kind"] == "method" and line["scenes"] >= 6 and line[share] > 0.5]
     return next(iter(found), None), facts

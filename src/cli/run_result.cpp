@@ -29,17 +29,19 @@ constexpr int kUnscored = 3;
 
 nlohmann::json methods_json(const std::vector<summary::MethodSummary>& summaries) {
     return list_of(summaries, [](const summary::MethodSummary& s) -> nlohmann::json {
-        return {{"method", s.method},
-                {"views", s.views},
-                {"failed", s.failed},
-                {"f_2px", or_null(s.f_2px)},
-                {"f_train", or_null(s.f_train)},
-                {"f_heldout", or_null(s.f_heldout)},
-                {"f_real", or_null(s.f_real)},
-                {"f_1px", or_null(s.f_1px)},
-                {"precision_2px", or_null(s.precision)},
-                {"recall_2px", or_null(s.recall)},
-                {"draw_ms", or_null(s.draw_ms)}};
+        nlohmann::json method = {{"method", s.method},
+                                 {"views", s.views},
+                                 {"failed", s.failed},
+                                 {"f_2px", or_null(s.f.all)},
+                                 {"f_train", or_null(s.f.train)},
+                                 {"f_heldout", or_null(s.f.heldout)},
+                                 {"f_real", or_null(s.f.real)},
+                                 {"f_1px", or_null(s.f_1px)},
+                                 {"precision_2px", or_null(s.precision)},
+                                 {"recall_2px", or_null(s.recall)},
+                                 {"draw_ms", or_null(s.draw_ms)}};
+        if (s.soft_f.all) method["soft_f"] = *s.soft_f.all;
+        return method;
     });
 }
 
@@ -50,6 +52,7 @@ nlohmann::json answer_json(const summary::Comparison& comparison) {
     };
     return {{"method", name_of(answer.method)},
             {"most_exact", name_of(answer.most_exact)},
+            {"measure", summary::name(comparison.measure())},
             {"f_margin", comparison.rule.f_margin},
             {"budget_ms", comparison.rule.budget_ms}};
 }

@@ -79,6 +79,7 @@ std::vector<core::TableInfo> dictionary() {
             summary::summary_table(),
             summary::kinds_table(),
             summary::differences_table(),
+            summary::soft_differences_table(),
             summary::unscored_table(),
             harness::curves_table(),
             harness::tolerances_table(),

@@ -12,6 +12,7 @@
 #include "entrants/entrant.h"
 #include "experiment/options/option_table.h"
 #include "harness/suite/suite.h"
+#include "methods/registry.h"
 
 namespace ink::experiment {
 namespace {
@@ -68,6 +69,15 @@ std::vector<std::string> scenes_called(const std::string& name) {
         if (is_all || scene::split_name(entry.split) == name) names.push_back(entry.name);
     }
     return names;
+}
+
+void cover_named_ink(Experiment& experiment) {
+    const std::vector<std::string>& names = experiment.methods;
+    const bool is_all = names.size() == methods::registry().size();
+    if (is_all || experiment.kind != ExperimentKind::compare) return;
+    experiment.compare.coverage |= std::any_of(names.begin(), names.end(), [](const auto& name) {
+        return methods::draws_ink(methods::find_method(name));
+    });
 }
 
 void add_searched_methods(Experiment& experiment) {

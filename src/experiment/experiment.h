@@ -130,6 +130,10 @@ struct Experiment {
 [[nodiscard]] Experiment parse_experiment(const std::string& text,
                                           const std::filesystem::path& file);
 
+/// Lets a comparison score grey lines, too, where a method that draws ink is named; not where all
+/// methods take part.
+void cover_named_ink(Experiment& experiment);
+
 /// Lets the methods that are searched for their hardest views, and the one they are compared with,
 /// take part, before those that do.
 void add_searched_methods(Experiment& experiment);

@@ -259,6 +259,7 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     if (experiment.methods.empty() && !is_record)
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");
+    if (!is_record) cover_named_ink(experiment);
     read_settings(reader, experiment);
     if (auto sweep = reader.table("sweep")) read_sweep(*sweep, is_record, experiment);
     return experiment;

@@ -61,11 +61,8 @@ std::optional<std::string> read_table(const fs::path& path) {
 /// Worked out anew only where the run has no tables of it, or those of another version.
 summary::Comparison comparison_of(const RunData& run) {
     if (run.tables.rows.empty()) return {};
-    const auto summary = run.csv.find("summary.csv");
-    const auto differences = run.csv.find("differences.csv");
-    if (run.record.one_place && summary != run.csv.end() && differences != run.csv.end()) {
-        auto read = summary::read_comparison(
-            run.tables.rows, run.record.answer, summary->second, differences->second);
+    if (run.record.one_place) {
+        auto read = summary::read_comparison(run.tables.rows, run.record.answer, run.csv);
         if (read) return *std::move(read);
     }
     RunTables kept;

@@ -71,10 +71,10 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     if (record.one_place && record.kind == "compare") {
         summary::Comparison comparison = summary::compare_methods(data.rows, record.answer);
         summary::add_curves(data.curves, comparison.summaries);
-        tables.push_back({"summary.csv", summary::summary_csv(data.rows, comparison)});
+        for (auto& [name, text] : summary::comparison_tables(data.rows, comparison))
+            tables.push_back({name, std::move(text)});
         if (std::string kinds = summary::kinds_csv(comparison.summaries); !kinds.empty())
             tables.push_back({"kinds.csv", std::move(kinds)});
-        tables.push_back({"differences.csv", summary::differences_csv(comparison.differences)});
     }
     if (record.kind == "compare")
         tables.push_back(

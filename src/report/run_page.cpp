@@ -17,7 +17,7 @@
 #include "report/page_files.h"
 #include "report/page_template.h"
 #include "report/text/verdict.h"
-#include "summary/summary_csv.h"
+#include "summary/comparison.h"
 
 namespace ink::report {
 namespace {
@@ -91,10 +91,11 @@ std::string diffs_json(const std::vector<experiment::RunData>& runs) {
     return fmt::format("[{}]", fmt::join(lines, ","));
 }
 
-std::string record_json(const experiment::RunRecord& record) {
+std::string record_json(const experiment::RunData& run) {
+    const experiment::RunRecord& record = run.record;
     return fmt::format(
         R"({{"name":{},"kind":{},"command":{},"identity":{},"build":{},"asked":{},"times":{},)"
-        R"("f_margin":{},"budget_ms":{},)"
+        R"("measure":"{}","f_margin":{},"budget_ms":{},)"
         R"("state":{},"blocks":{},"blocks_done":{},"cells":{},"work_s":{},"missing_blocks":{},)"
         R"("faults":{}}})",
         json_text(record.name),
@@ -104,6 +105,7 @@ std::string record_json(const experiment::RunRecord& record) {
         json_text(record.build),
         json_text(record.asked),
         record.times,
+        summary::name(run.comparison.measure()),
         record.answer.f_margin,
         record.answer.budget_ms,
         json_text(experiment::name(record.state)),
@@ -130,14 +132,12 @@ std::string live_json(const experiment::RunData& run, const fs::path& page_folde
     return fmt::format("{{{}}}", fmt::join(entries, ","));
 }
 
-/// summary.csv and differences.csv of a run of several sizes or numbers of threads, which has none:
+/// summary.csv and its like of a run of several sizes or numbers of threads, which has none:
 /// those of the first.
 experiment::CsvTables missing_summaries(const experiment::RunData& run) {
     if (run.comparison.summaries.empty() || run.csv.contains("summary.csv")) return {};
-    return experiment::split_tables(
-        {{"summary.csv", summary::summary_csv(rows_shown(run), run.comparison)},
-         {"differences.csv", summary::differences_csv(run.comparison.differences)}},
-        run.folder);
+    return experiment::split_tables(summary::comparison_tables(rows_shown(run), run.comparison),
+                                    run.folder);
 }
 
 std::string run_json(const experiment::RunData& run,
@@ -156,7 +156,7 @@ std::string run_json(const experiment::RunData& run,
     });
     return fmt::format(R"({{"label":{},"record":{},"words":{},"live":{},"tables":{{{}}}}})",
                        json_text(label),
-                       record_json(run.record),
+                       record_json(run),
                        words_json(run),
                        live_json(run, page_folder),
                        fmt::join(tables, ","));

@@ -92,6 +92,11 @@ std::optional<double> SoftScore::f() const {
     return 2 * matched_px / (drawn_px() + true_px());
 }
 
+CurveCount SoftScore::counts() const {
+    const auto whole = [](double px) { return std::llround(std::ldexp(px, 24)); };
+    return {whole(matched_px), whole(drawn_px()), whole(true_px())};
+}
+
 SoftScore score_ink(const core::Image<float>& drawn,
                     const InkTruth& truth,
                     const ScoreOptions& options) {

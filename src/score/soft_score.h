@@ -41,6 +41,8 @@ struct SoftScore {
     [[nodiscard]] double true_px() const { return matched_px + misplaced_px + missing_px; }
     /// Soft F = 2 sum min(I, C) / sum (I + C); nothing if there is no true ink.
     [[nodiscard]] std::optional<double> f() const;
+    /// Matched, drawn and true ink in whole 2^-24 px^2, whose sums are exact; F of it is soft F.
+    [[nodiscard]] CurveCount counts() const;
 };
 
 /// Compares `drawn`, shares of pixels 0..1, with the truth. Reads tolerance of the options. Throws

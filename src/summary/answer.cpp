@@ -16,9 +16,13 @@ constexpr double kSteadyShare =
 
 using Summaries = std::vector<const MethodSummary*>;
 
+double f_of(const MethodSummary* summary) {
+    return *summary->judged().all;
+}
+
 /// One that draws by itself comes before one that chooses; of equals the first is meant.
 bool is_before(const MethodSummary* a, const MethodSummary* b) {
-    if (*a->f_2px != *b->f_2px) return *a->f_2px > *b->f_2px;
+    if (f_of(a) != f_of(b)) return f_of(a) > f_of(b);
     return !is_choice_of_others(a->method) && is_choice_of_others(b->method);
 }
 
@@ -30,7 +34,7 @@ const MethodSummary* most_exact_of(const Summaries& summaries) {
 
 /// The more exact of two that take as long.
 bool is_cheaper(const MethodSummary* a, const MethodSummary* b) {
-    return std::tuple(*a->draw_ms, -*a->f_2px) < std::tuple(*b->draw_ms, -*b->f_2px);
+    return std::tuple(*a->draw_ms, -f_of(a)) < std::tuple(*b->draw_ms, -f_of(b));
 }
 
 bool have_equal_images(const MethodSummary& a, const MethodSummary& b) {
@@ -71,7 +75,7 @@ Answer find_answer(const std::vector<MethodSummary>& summaries, const AnswerRule
     Summaries timed;
     Summaries within;
     for (const MethodSummary& s : summaries) {
-        if (s.is_baseline || !s.f_2px) continue;
+        if (s.is_baseline || !s.f.all) continue;
         if (s.draw_ms) timed.push_back(&s);
         if (rule.budget_ms == 0 || (s.draw_ms && *s.draw_ms <= rule.budget_ms))
             within.push_back(&s);
@@ -83,7 +87,7 @@ Answer find_answer(const std::vector<MethodSummary>& summaries, const AnswerRule
     if (answer.most_exact == nullptr) return answer;
     Summaries as_good = within;
     std::erase_if(as_good, [&](const MethodSummary* s) {
-        const double below = *answer.most_exact->f_2px - *s->f_2px;
+        const double below = f_of(answer.most_exact) - f_of(s);
         return !s->draw_ms || s->has_own_clock || below > rule.f_margin + kRounding;
     });
     if (!as_good.empty()) {
@@ -104,7 +108,7 @@ std::vector<double> answer_shares(const std::vector<MethodSummary>& summaries,
                                   std::uint64_t seed) {
     std::set<std::string> scenes;
     for (const MethodSummary& s : summaries)
-        for (const auto& [scene, counts] : s.counts_of_scene)
+        for (const auto& [scene, counts] : s.f.counts_of_scene)
             scenes.insert(scene);
     if (scenes.size() < statistics::kFewestClusters) return {};
     const statistics::BootstrapOptions options{.seed = seed};
@@ -112,17 +116,18 @@ std::vector<double> answer_shares(const std::vector<MethodSummary>& summaries,
     std::vector<double> shares(summaries.size(), 0);
     for (const std::vector<double>& times : statistics::drawings_of(scenes.size(), options)) {
         for (MethodSummary& s : drawn) {
-            if (!s.f_2px) continue;
+            if (!s.f.all) continue;
+            FSummary& judged = s.measure() == Measure::soft_f ? s.soft_f : s.f;
             score::CurveCount sum;
             std::size_t i = 0;
             for (const std::string& scene : scenes) {
-                const auto own = s.counts_of_scene.find(scene);
+                const auto own = judged.counts_of_scene.find(scene);
                 const auto n = static_cast<std::int64_t>(times[i++]);
-                if (own == s.counts_of_scene.end()) continue;
+                if (own == judged.counts_of_scene.end()) continue;
                 const auto& [k, n_pred, n_truth] = own->second;
                 sum += {n * k, n * n_pred, n * n_truth};
             }
-            s.f_2px = sum.f();
+            judged.all = sum.f();
         }
         const MethodSummary* named = find_answer(drawn, rule).method;
         if (named == nullptr) return {};

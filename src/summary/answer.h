@@ -19,7 +19,7 @@ inline constexpr double kUnsureTimes = 1.1;
 
 /// What a reader asks of the answer to "which method makes the fewest errors in this time?".
 struct AnswerRule {
-    double f_margin = 0.01;  ///< an F this far below the best measured is as good
+    double f_margin = 0.01;  ///< an F this far below the best measured is as good; soft F likewise
     /// Longest time of a frame, a median over views; 0: any. A method without a time is within
     /// none.
     double budget_ms = 0;
@@ -30,10 +30,11 @@ struct AnswerRule {
 /// The answer, and what it is to be held against. Null for what there is none of; they point into
 /// the summaries.
 struct Answer {
-    /// Of the methods within the budget whose F is at most the margin below the best of them, the
-    /// cheapest by this program's clock; of those that are as cheap, the most exact; of equals, one
-    /// that draws by itself before one that chooses among others, then the first. The most exact
-    /// itself where none such was timed.
+    /// Of the methods within the budget whose F, or soft F where the run has it
+    /// (MethodSummary::judged), is at most the margin below the best of them, the
+    /// cheapest by this program's clock; of those that are as cheap, the most exact; of
+    /// equals, one that draws by itself before one that chooses among others, then the first. The
+    /// most exact itself where none such was timed.
     const MethodSummary* method = nullptr;
     const MethodSummary* most_exact = nullptr;  ///< within the budget
     const MethodSummary* next = nullptr;        ///< the most exact after that, of other images

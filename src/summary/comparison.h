@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/tables/csv_table.h"
@@ -15,22 +17,28 @@ namespace ink::summary {
 struct Comparison {
     AnswerRule rule = {};
     std::vector<MethodSummary> summaries = {};
-    std::vector<PairedDifference> differences = {};  ///< of all pairs
-    std::vector<double> shares = {};                 ///< of each summary: answer_shares()
+    std::vector<PairedDifference> differences = {};       ///< of F at 2 px, of all pairs
+    std::vector<PairedDifference> soft_differences = {};  ///< of soft F, where that is there
+    std::vector<double> shares = {};                      ///< of each summary: answer_shares()
 
     /// Points into the summaries.
     [[nodiscard]] Answer answer() const { return find_answer(summaries, rule); }
+    /// By what methods are judged: soft F where they have it.
+    [[nodiscard]] Measure measure() const;
 };
 
 /// Of rows of one size and number of threads.
 [[nodiscard]] Comparison compare_methods(const std::vector<harness::Row>& rows,
                                          const AnswerRule& rule = {});
 
-/// The same, with what is resampled read back from summary.csv and differences.csv of these rows
-/// and this rule; nothing if other columns say that another version wrote them.
-[[nodiscard]] std::optional<Comparison> read_comparison(const std::vector<harness::Row>& rows,
-                                                        const AnswerRule& rule,
-                                                        const core::CsvTable& summary,
-                                                        const core::CsvTable& differences);
+/// The same, with what is resampled read back from the tables of these rows and this rule;
+/// nothing if one is not there, or other columns say that another version wrote it.
+[[nodiscard]] std::optional<Comparison> read_comparison(
+    const std::vector<harness::Row>& rows,
+    const AnswerRule& rule,
+    const std::map<std::string, core::CsvTable>& tables);
+/// summary.csv, differences.csv and what else its methods have, by name: `rows` are its rows.
+[[nodiscard]] std::map<std::string, std::string> comparison_tables(
+    const std::vector<harness::Row>& rows, const Comparison& comparison);
 
 }  // namespace ink::summary

@@ -50,14 +50,15 @@ std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<ha
 /// The rows of two methods, view by view.
 PairedScenes pair_up(const std::vector<harness::Row>& rows,
                      const std::string& a,
-                     const std::string& b) {
+                     const std::string& b,
+                     Measure measure) {
     const auto of_b = rows_by_place(rows, b);
     std::vector<RowPair> pairs;
     for (const auto& [where, row] : rows_by_place(rows, a)) {
         const auto other = of_b.find(where);
         if (other != of_b.end()) pairs.push_back({row, other->second});
     }
-    return paired_scenes(pairs);
+    return paired_scenes(pairs, measure);
 }
 
 PairedDifference difference_of(const std::string& a,
@@ -115,10 +116,12 @@ PairedDifference turned_round(const PairedDifference& paired) {
 }
 
 /// Methods with a score, without baselines.
-std::vector<std::string> methods_best_first(std::vector<MethodSummary> summaries) {
-    std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
-    std::ranges::stable_sort(summaries,
-                             [](const auto& a, const auto& b) { return *a.f_2px > *b.f_2px; });
+std::vector<std::string> methods_best_first(std::vector<MethodSummary> summaries, Measure measure) {
+    std::erase_if(summaries,
+                  [&](const MethodSummary& s) { return s.is_baseline || !s.by(measure).all; });
+    std::ranges::stable_sort(summaries, [&](const auto& a, const auto& b) {
+        return *a.by(measure).all > *b.by(measure).all;
+    });
     std::vector<std::string> names;
     for (const MethodSummary& summary : summaries)
         names.push_back(summary.method);
@@ -131,11 +134,10 @@ const core::TableOf<PairedDifference>& columns() {
         core::TableOf<D> table(
             "differences.csv",
             "A line per ordered pair of methods with a view in common, the best method first: by "
-            "how much the pooled F of one exceeds that of the other.");
+            "how much the pooled F within 2 px of one exceeds that of the other.");
         table.add({"method", "", "as in rows.csv"}, &D::a);
         table.add({"other", "", "the method it is compared with"}, &D::b);
-        table.add({"difference", "-1..1", "F within 2 px of `method` less that of `other`"},
-                  &D::difference);
+        table.add({"difference", "-1..1", "F of `method` less that of `other`"}, &D::difference);
         const auto range = table.part(&D::range);
         range.add({"lo",
                    "-1..1",
@@ -169,13 +171,13 @@ double PairedScenes::f_b() const {
     return pooled_f(b);
 }
 
-PairedScenes paired_scenes(std::span<const RowPair> pairs) {
+PairedScenes paired_scenes(std::span<const RowPair> pairs, Measure measure) {
     std::map<std::string, std::pair<Counts, Counts>> by_scene;
     for (const RowPair& pair : pairs) {
         if (!pair.a->is_scored() || !pair.b->is_scored()) continue;
         auto& [a, b] = by_scene[pair.a->scene];
-        a += counts_2px(*pair.a);
-        b += counts_2px(*pair.b);
+        a += counts_of(*pair.a, measure);
+        b += counts_of(*pair.b, measure);
     }
     PairedScenes scenes;
     for (const auto& [scene, sums] : by_scene) {
@@ -187,13 +189,14 @@ PairedScenes paired_scenes(std::span<const RowPair> pairs) {
 }
 
 std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows,
-                                                     const std::vector<MethodSummary>& summaries) {
-    const std::vector<std::string> methods = methods_best_first(summaries);
+                                                     const std::vector<MethodSummary>& summaries,
+                                                     Measure measure) {
+    const std::vector<std::string> methods = methods_best_first(summaries, measure);
     std::vector<PairedDifference> once;
     std::vector<PairedScenes> scenes;
     for (std::size_t i = 0; i < methods.size(); ++i) {
         for (std::size_t j = i + 1; j < methods.size(); ++j) {
-            PairedScenes paired = pair_up(rows, methods[i], methods[j]);
+            PairedScenes paired = pair_up(rows, methods[i], methods[j], measure);
             if (paired.is_empty()) continue;
             once.push_back(difference_of(methods[i], methods[j], paired));
             scenes.push_back(std::move(paired));
@@ -218,6 +221,13 @@ std::vector<PairedDifference> all_paired_differences(const std::vector<harness::
 
 const core::TableInfo& differences_table() {
     return columns().info();
+}
+
+core::TableInfo soft_differences_table() {
+    core::TableInfo table = columns().info();
+    table.file = "soft_differences.csv";
+    table.doc = "differences.csv of soft F; only with coverage.";
+    return table;
 }
 
 std::string differences_csv(const std::vector<PairedDifference>& differences) {

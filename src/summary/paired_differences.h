@@ -14,6 +14,7 @@
 namespace ink::summary {
 
 struct MethodSummary;
+enum class Measure;
 
 /// Two rows of one view: of two methods, or of two runs.
 struct RowPair {
@@ -21,7 +22,7 @@ struct RowPair {
     const harness::Row* b = nullptr;
 };
 
-/// Counts at 2 px of both sides of row pairs, summed over the views of each scene, in the
+/// Counts of both sides of row pairs, summed over the views of each scene, in the
 /// alphabetical order of the scenes.
 struct PairedScenes {
     std::vector<score::CurveCount> a;
@@ -35,9 +36,9 @@ struct PairedScenes {
 };
 
 /// The scenes of the pairs that both sides have a score for; none if no pair has.
-[[nodiscard]] PairedScenes paired_scenes(std::span<const RowPair> pairs);
+[[nodiscard]] PairedScenes paired_scenes(std::span<const RowPair> pairs, Measure measure);
 
-/// By how much one method's pooled F at 2 px exceeds another's, over the views that both have.
+/// By how much one method's pooled F exceeds another's, over the views that both have.
 struct PairedDifference {
     std::string a;
     std::string b;
@@ -64,10 +65,14 @@ struct PairedDifference {
 /// `range` holds by itself, and over many pairs some such leave out 0 by chance; `range_of_all` are
 /// the intervals that are to hold all together (statistics/simultaneous.h).
 [[nodiscard]] std::vector<PairedDifference> all_paired_differences(
-    const std::vector<harness::Row>& rows, const std::vector<MethodSummary>& summaries);
+    const std::vector<harness::Row>& rows,
+    const std::vector<MethodSummary>& summaries,
+    Measure measure);
 
-/// differences.csv: the same as a table of the run folder. No differences give the heading alone.
+/// differences.csv and, of soft F, soft_differences.csv: the same as a table of the run folder. No
+/// differences give the heading alone.
 [[nodiscard]] const core::TableInfo& differences_table();
+[[nodiscard]] core::TableInfo soft_differences_table();
 [[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
 [[nodiscard]] std::vector<PairedDifference> read_differences(const core::CsvTable& table);
 

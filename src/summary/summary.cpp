@@ -20,12 +20,11 @@ std::optional<double> share(std::int64_t part, std::int64_t whole) {
 
 using Rows = std::vector<const harness::Row*>;
 
-template <class CountsOf>
-std::optional<double> pooled(const Rows& rows, CountsOf counts_of) {
+std::optional<double> pooled(const Rows& rows, Measure measure) {
     if (rows.empty()) return std::nullopt;
     Counts sum;
     for (const harness::Row* row : rows)
-        sum += counts_of(*row);
+        sum += counts_of(*row, measure);
     return sum.f();
 }
 
@@ -37,11 +36,10 @@ Rows of_split(const Rows& rows, std::string_view split) {
     return kept;
 }
 
-/// At 2 px.
-SceneSums sums_by_scene(const Rows& rows) {
+SceneSums sums_by_scene(const Rows& rows, Measure measure) {
     SceneSums sums;
     for (const harness::Row* row : rows)
-        sums.add(row->scene, counts_2px(*row));
+        sums.add(row->scene, counts_of(*row, measure));
     return sums;
 }
 
@@ -54,13 +52,13 @@ std::optional<double> macro_f(const std::vector<Counts>& scenes) {
 
 /// Over the rows that were scored at 1 px, too.
 std::optional<double> f_1px(const Rows& rows) {
-    Rows kept;
-    std::ranges::copy_if(rows, std::back_inserter(kept), [](const harness::Row* row) {
-        return row->k_1px && row->n_pred_1px;
-    });
-    return pooled(kept, [](const harness::Row& row) {
-        return Counts{*row.k_1px, *row.n_pred_1px, row.n_truth};
-    });
+    std::optional<Counts> sum;
+    for (const harness::Row* row : rows) {
+        if (!row->k_1px || !row->n_pred_1px) continue;
+        if (!sum) sum.emplace();
+        *sum += {*row->k_1px, *row->n_pred_1px, row->n_truth};
+    }
+    return sum ? std::optional(sum->f()) : std::nullopt;
 }
 
 std::map<std::string, double> pooled_recalls(const Rows& rows) {
@@ -84,12 +82,12 @@ std::vector<KindSummary> kinds_of(const Rows& rows) {
         std::ranges::copy_if(rows, std::back_inserter(own), [&](const harness::Row* other) {
             return other->scene_kind == kind;
         });
-        const auto& [names, counts] = sums_by_scene(own);
+        const auto& [names, counts] = sums_by_scene(own, Measure::f_2px);
         const auto least = std::ranges::min_element(counts, {}, &Counts::f) - counts.begin();
         const auto at = static_cast<std::size_t>(least);
         kinds.push_back({kind,
                          static_cast<int>(names.size()),
-                         *pooled(own, counts_2px),
+                         *pooled(own, Measure::f_2px),
                          names[at],
                          counts[at].f()});
     }
@@ -103,46 +101,55 @@ std::optional<double> mean_of_kinds(const std::vector<KindSummary>& kinds) {
     return kinds.size() < 2 ? std::nullopt : statistics::mean(values);
 }
 
-/// Pixels of either side without a match.
-std::int64_t wrong_px(const Counts& counts) {
+/// What either side has without a match.
+std::int64_t wrong(const Counts& counts) {
     return counts.n_pred + counts.n_truth - 2 * counts.k;
 }
 
 /// Where most of the error is; of scenes with as much the first.
-void find_error_scene(const SceneSums& scenes, MethodSummary& summary) {
+void find_error_scene(const SceneSums& scenes, FSummary& summary) {
     std::int64_t all = 0;
     std::int64_t most = 0;
     for (std::size_t i = 0; i < scenes.names.size(); ++i) {
-        const std::int64_t wrong = wrong_px(scenes.counts[i]);
-        all += wrong;
-        if (wrong <= most) continue;
-        most = wrong;
+        const std::int64_t here = wrong(scenes.counts[i]);
+        all += here;
+        if (here <= most) continue;
+        most = here;
         summary.error_scene = scenes.names[i];
     }
     summary.error_scene_share = share(most, all);
 }
 
+FSummary summarise_f(const Rows& rows, Measure measure) {
+    FSummary summary;
+    if (rows.empty()) return summary;
+    const SceneSums scenes = sums_by_scene(rows, measure);
+    for (std::size_t i = 0; i < scenes.names.size(); ++i)
+        summary.counts_of_scene[scenes.names[i]] = scenes.counts[i];
+    summary.all = pooled(rows, measure);
+    summary.range = statistics::f_interval(scenes.counts, {.seed = rows.front()->seed});
+    summary.train = pooled(of_split(rows, "train"), measure);
+    summary.heldout = pooled(of_split(rows, "heldout"), measure);
+    summary.real = pooled(of_split(rows, "real"), measure);
+    summary.macro = macro_f(scenes.counts);
+    find_error_scene(scenes, summary);
+    return summary;
+}
+
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
     Counts sum;
     for (const harness::Row* row : rows) {
-        sum += counts_2px(*row);
-        summary.counts_of_scene[row->scene] += counts_2px(*row);
+        sum += counts_of(*row, Measure::f_2px);
         summary.image_hashes += row->image_hash + ' ';
     }
     const auto has_image = [](const harness::Row* row) { return !row->image_hash.empty(); };
     if (!std::ranges::all_of(rows, has_image)) summary.image_hashes.clear();
-    const SceneSums scenes = sums_by_scene(rows);
-    summary.scenes = static_cast<int>(scenes.names.size());
-    summary.f_2px = pooled(rows, counts_2px);
-    if (!rows.empty())
-        summary.f_2px_range = statistics::f_interval(scenes.counts, {.seed = rows.front()->seed});
-    summary.f_train = pooled(of_split(rows, "train"), counts_2px);
-    summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
-    summary.f_real = pooled(of_split(rows, "real"), counts_2px);
-    summary.f_macro = macro_f(scenes.counts);
+    summary.f = summarise_f(rows, Measure::f_2px);
+    if (std::ranges::all_of(rows, [](const harness::Row* row) { return row->soft.has_value(); }))
+        summary.soft_f = summarise_f(rows, Measure::soft_f);
+    summary.scenes = static_cast<int>(summary.f.counts_of_scene.size());
     summary.kinds = kinds_of(rows);
     summary.f_kinds = mean_of_kinds(summary.kinds);
-    find_error_scene(scenes, summary);
     summary.f_1px = f_1px(rows);
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
@@ -175,8 +182,13 @@ void summarise_costs(const Rows& rows, MethodSummary& summary) {
 
 }  // namespace
 
-Counts counts_2px(const harness::Row& row) {
-    return {row.k_2px, row.n_pred, row.n_truth};
+std::string_view name(Measure measure) {
+    return measure == Measure::soft_f ? "soft_f" : "f_2px";
+}
+
+Counts counts_of(const harness::Row& row, Measure measure) {
+    return measure == Measure::soft_f ? row.soft->counts()
+                                      : Counts{row.k_2px, row.n_pred, row.n_truth};
 }
 
 std::map<std::string, Counts> class_counts(const harness::Row& row) {
@@ -217,7 +229,7 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 
 bool is_error_in_one_scene(const MethodSummary& summary) {
     return summary.scenes >= static_cast<int>(statistics::kFewestClusters) &&
-           summary.error_scene_share.value_or(0) > 0.5;
+           summary.judged().error_scene_share.value_or(0) > 0.5;
 }
 
 std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/rows/row.h"
@@ -21,24 +22,39 @@ struct KindSummary {
     double f_least = 0;       ///< of that
 };
 
+/// What an F is of.
+enum class Measure {
+    f_2px,   ///< pixels within 2 px of each other
+    soft_f,  ///< the ink of grey lines
+};
+
+/// "f_2px", "soft_f": as columns have it.
+[[nodiscard]] std::string_view name(Measure measure);
+
+/// An F of a method: of counts pooled over its views.
+struct FSummary {
+    std::optional<double> all;                  ///< over all of them
+    std::optional<statistics::Interval> range;  ///< 95 %, cluster bootstrap; six scenes at least
+    std::string error_scene;                    ///< with most of its error; "" if there is none
+    std::optional<double> error_scene_share;    ///< of all that is wrong
+    std::optional<double> train;                ///< over the views of training scenes
+    std::optional<double> heldout;              ///< over those of held-out scenes
+    std::optional<double> real;                 ///< over those of model files
+    std::optional<double> macro;                ///< mean over scenes of F over each one's views
+    std::map<std::string, score::CurveCount> counts_of_scene = {};  ///< by name
+};
+
 /// What all rows of one method say together. A row that failed counts in `failed` and nowhere else;
 /// an empty value never enters a mean.
 struct MethodSummary {
     std::string method;
     bool is_baseline = false;
-    bool has_own_clock = false;   ///< from outside: its times are not measured here
-    int views = 0;                ///< rows without failure
-    int failed = 0;               ///< rows with one
-    std::optional<double> f_2px;  ///< of the counts pooled over its views
-    int scenes = 0;               ///< that those are of
-    std::optional<statistics::Interval>
-        f_2px_range;                          ///< 95 %, cluster bootstrap; six scenes at least
-    std::string error_scene;                  ///< with most of its error; "" if there is none
-    std::optional<double> error_scene_share;  ///< of all its wrong pixels
-    std::optional<double> f_train;            ///< pooled over the views of training scenes
-    std::optional<double> f_heldout;          ///< pooled over those of held-out scenes
-    std::optional<double> f_real;             ///< pooled over those of model files
-    std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
+    bool has_own_clock = false;       ///< from outside: its times are not measured here
+    int views = 0;                    ///< rows without failure
+    int failed = 0;                   ///< rows with one
+    int scenes = 0;                   ///< of those without
+    FSummary f;                       ///< at 2 px
+    FSummary soft_f;                  ///< nothing unless all its views have it
     std::optional<double> f_kinds;    ///< mean of `kinds`' F; nothing for fewer than two
     std::vector<KindSummary> kinds;   ///< in order of first appearance
     std::optional<double> ap;         ///< of its views' curves; see add_curves
@@ -50,10 +66,16 @@ struct MethodSummary {
     std::optional<statistics::Interval> draw_ms_quartiles;  ///< over views
     /// Where its time may lie: medians over views of the least and of the median of each cell.
     std::optional<statistics::Interval> draw_ms_doubt;
-    std::map<std::string, score::CurveCount> counts_of_scene;  ///< at 2 px, by name
     std::string image_hashes;  ///< of all its views, equal where two methods draw the same; "" if
                                ///< one is not known
     std::optional<int> bytes_per_px;  ///< the largest
+
+    /// What it is judged by.
+    [[nodiscard]] Measure measure() const { return soft_f.all ? Measure::soft_f : Measure::f_2px; }
+    [[nodiscard]] const FSummary& by(Measure measure) const {
+        return measure == Measure::soft_f ? soft_f : f;
+    }
+    [[nodiscard]] const FSummary& judged() const { return by(measure()); }
 };
 
 /// Whether most of the method's error sits in one of many scenes: its F is then known less well
@@ -67,8 +89,8 @@ struct MethodSummary {
 void add_curves(const std::vector<statistics::CellCurve>& curves,
                 std::vector<MethodSummary>& summaries);
 
-/// The counts at 2 px of a row.
-[[nodiscard]] score::CurveCount counts_2px(const harness::Row& row);
+/// What F of a row is made of; of ink the row must have it.
+[[nodiscard]] score::CurveCount counts_of(const harness::Row& row, Measure measure);
 
 /// What a row found of each class of line that its view has. As many count as drawn as are true, so
 /// that F of these counts, 2 k / (n + n), is the recall.

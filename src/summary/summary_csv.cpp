@@ -73,20 +73,31 @@ void add_recalls(SummaryTable& table) {
     }
 }
 
-void add_f(const core::PartOf<const MethodSummary>& summary) {
+/// An F with its interval, and over parts of the suite: columns that begin with `name` or `error`.
+void add_f(const core::PartOf<const FSummary>& f,
+           core::Column whole,
+           const std::string& name,
+           const std::string& error) {
+    using S = FSummary;
+    f.add_derived(std::move(whole), &S::all);
+    f.add_derived({name + "_lo", "0..1", "lower end of its 95 % interval, scenes resampled"},
+                  [](const S& s) { return low_of(s.range); });
+    f.add_derived({name + "_hi", "0..1", "upper end"}, [](const S& s) { return high_of(s.range); });
+    f.add_derived({error + "_scene", "", "the scene with most of its error"}, &S::error_scene);
+    f.add_derived({error + "_scene_share", "0..1", "of its error, that of that scene"},
+                  &S::error_scene_share);
+    f.add_derived({name + "_train", "0..1", "the same over training scenes"}, &S::train);
+    f.add_derived({name + "_heldout", "0..1", "the same over held-out scenes"}, &S::heldout);
+    f.add_derived({name + "_real", "0..1", "the same over model files"}, &S::real);
+    f.add_derived({name + "_macro", "0..1", "mean of the scenes' own F"}, &S::macro);
+}
+
+void add_scores(const core::PartOf<const MethodSummary>& summary, bool has_soft_f) {
     using S = MethodSummary;
-    summary.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all views"}, &S::f_2px);
-    summary.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, scenes resampled"},
-                        [](const S& s) { return low_of(s.f_2px_range); });
-    summary.add_derived({"f_hi", "0..1", "upper end"},
-                        [](const S& s) { return high_of(s.f_2px_range); });
-    summary.add_derived({"error_scene", "", "the scene with most of its error"}, &S::error_scene);
-    summary.add_derived({"error_scene_share", "0..1", "of its wrong pixels, those of that scene"},
-                        &S::error_scene_share);
-    summary.add_derived({"f_train", "0..1", "the same over training scenes"}, &S::f_train);
-    summary.add_derived({"f_heldout", "0..1", "the same over held-out scenes"}, &S::f_heldout);
-    summary.add_derived({"f_real", "0..1", "the same over model files"}, &S::f_real);
-    summary.add_derived({"f_macro", "0..1", "mean of the scenes' own F"}, &S::f_macro);
+    add_f(summary.part(&S::f),
+          {"f_2px", "0..1", "F within 2 px of the counts of all views"},
+          "f",
+          "error");
     summary.add_derived({"f_kinds", "0..1", "mean of F over kinds of scenes (kinds.csv)"},
                         &S::f_kinds);
     summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
@@ -94,9 +105,15 @@ void add_f(const core::PartOf<const MethodSummary>& summary) {
     summary.add_derived({"recall", "0..1", "pooled, within 2 px"}, &S::recall);
     summary.add_derived({"ap", "0..1", "area under the precision envelope of the pooled curves"},
                         &S::ap);
+    if (!has_soft_f) return;
+    add_f(
+        summary.part(&S::soft_f),
+        {"soft_f", "0..1", "soft F of the ink of all views; this and the next only with coverage"},
+        "soft",
+        "soft_error");
 }
 
-SummaryTable make_table() {
+SummaryTable make_table(bool has_soft_f) {
     using S = MethodSummary;
     SummaryTable table("summary.csv", "A line per method, over all cells of study `compare`.");
     const auto summary = table.part([](auto& line) -> auto& { return line.summary; });
@@ -105,8 +122,9 @@ SummaryTable make_table() {
                         [](const S& s) { return s.is_baseline ? "baseline" : "method"; });
     table.add_derived({"answer",
                        "",
-                       "answer: the cheapest whose F is at most the margin below the best within "
-                       "the budget, the most exact of those that take less than 1.3 times as long; "
+                       "answer: the cheapest whose F (with coverage: soft F) is at most the margin "
+                       "below the best within the budget, the most exact of those that take less "
+                       "than 1.3 times as long; "
                        "best: the most exact of all; both",
                        true},
                       &Line::answer);
@@ -119,7 +137,7 @@ SummaryTable make_table() {
     summary.add_derived({"views", "", "on which it was scored"}, &S::views);
     summary.add_derived({"scenes", "", "of these views"}, &S::scenes);
     summary.add_derived({"failed", "", "cells without a score"}, &S::failed);
-    add_f(summary);
+    add_scores(summary, has_soft_f);
     summary.add_derived({"draw_ms", "ms", "median over views of draw_ns", true}, &S::draw_ms);
     summary.add_derived({"draw_ms_lo", "ms", "lower quartile", true},
                         [](const S& s) { return low_of(s.draw_ms_quartiles); });
@@ -131,9 +149,10 @@ SummaryTable make_table() {
     return table;
 }
 
-const SummaryTable& table() {
-    static const SummaryTable kTable = make_table();
-    return kTable;
+const SummaryTable& table(bool has_soft_f) {
+    static const SummaryTable kPlain = make_table(false);
+    static const SummaryTable kWithSoftF = make_table(true);
+    return has_soft_f ? kWithSoftF : kPlain;
 }
 
 std::string remedy_of(const harness::Row& row) {
@@ -210,8 +229,8 @@ const core::TableOf<Unscored>& unscored_columns() {
 
 }  // namespace
 
-const core::TableInfo& summary_table() {
-    return table().info();
+const core::TableInfo& summary_table(bool has_soft_f) {
+    return table(has_soft_f).info();
 }
 
 std::string summary_csv(const std::vector<harness::Row>& rows, const Comparison& comparison) {
@@ -225,7 +244,7 @@ std::string summary_csv(const std::vector<harness::Row>& rows, const Comparison&
                                     place_in(answer, summary)});
         if (!shares.empty() && !summary.is_baseline) line.answer_share = shares[lines.size() - 1];
     }
-    return table().file(lines);
+    return table(comparison.measure() == Measure::soft_f).file(lines);
 }
 
 const core::TableInfo& kinds_table() {

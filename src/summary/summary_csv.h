@@ -10,8 +10,8 @@
 namespace ink::summary {
 
 /// The columns of summary.csv: method, kind, on how much it was scored; F, precision, recall, time
-/// and bytes, with their intervals.
-[[nodiscard]] const core::TableInfo& summary_table();
+/// and bytes, with their intervals; soft F where methods have it.
+[[nodiscard]] const core::TableInfo& summary_table(bool has_soft_f = true);
 
 /// A table (RFC 4180, "\n" line ends) with a line per method of `rows`, in order of first
 /// appearance, the baselines last; what there is none of is empty. `comparison` is of these rows;

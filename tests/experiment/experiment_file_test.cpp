@@ -191,10 +191,10 @@ TEST(ExperimentFile, InkIsAsWideAsTheTrueLinesItIsComparedWith) {
         const auto width = settings.find("width_px");
         return width == settings.end() ? "" : width->second;
     };
-    EXPECT_EQ(width_of(""), "");
-    EXPECT_EQ(width_of("[measure]\nline_width_px = 2.5\n"), "");
+    EXPECT_EQ(width_of(""), "1.5") << "who names ink is scored by ink";
     EXPECT_EQ(width_of("[measure]\ncoverage = true\nline_width_px = 2.5\n"), "2.5");
     EXPECT_EQ(width_of("[measure]\ncoverage = true\n[settings]\nstrokes.width_px = 3\n"), "3");
+    EXPECT_FALSE(parse(kHead).compare.coverage) << "all methods are not named";
 }
 
 /// A value of every option as text: its least for a number, its last word for a choice.

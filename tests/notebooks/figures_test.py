@@ -236,7 +236,8 @@ class Strips(unittest.TestCase):
 
     def test_ink_is_as_dark_as_its_share(self):
         view, = images.shown_views(runs_of("ink"), 1)
-        for drawing, is_ink in zip(view.drawings, (True, False)):
+        for drawing in view.drawings:
+            is_ink = drawing.method in ("strokes", "chords")
             self.assertEqual(drawing.is_ink, is_ink, drawing.method)
             marks = images.marks(view, drawing)
             marks[0, 0] = images.WRONG + 1
@@ -361,30 +362,45 @@ class Program(unittest.TestCase):
 class Answer(unittest.TestCase):
     """Figures say what the run says: its winner, its intervals, its digits."""
 
-    def figures(self, out, *words):
-        done = subprocess.run([tiny_runs.PROGRAM, "figures", folder("seven"), "--only",
+    def figures(self, out, *words, run="seven"):
+        done = subprocess.run([tiny_runs.PROGRAM, "figures", folder(run), "--only",
                                "verdict,error_time", "--out", out, *words], text=True,
                               capture_output=True, cwd=DESK.name)
         self.assertEqual(done.returncode, 0, done.stderr)
         return Path(DESK.name, out)
 
-    def cells(self, out):
+    def cells(self, out, ms=3):
         """The lines of the LaTeX table by method: F, interval, ms as verdict.md writes them."""
         lines = {}
         for line in (out / "verdict.tex").read_text().splitlines():
             if " & " in line and not line.startswith(("&", "method")):
                 cells = [re.sub(r"\\textbf\{(.*?)\}", r"\1", cell) for cell in line.split(" & ")]
                 shown = [re.sub(r"\b0\.", ".", cell).replace("--", "-") for cell in cells[1:3]]
-                lines[cells[0].replace("\\", "")] = [*shown, cells[3].replace("--", "-")]
+                lines[cells[0].replace("\\", "")] = [*shown, cells[ms].replace("--", "-")]
         return lines
 
     def test_is_that_of_the_run(self):
-        out, said = self.figures("answer"), Path(folder("seven"), "verdict.md").read_text()
+        self.check_is_that_of("seven", at=3)
+
+    def test_of_ink_is_soft_f(self):
+        self.check_is_that_of("ink", at=4)  # behind F
+        drawn = Path(DESK.name, "answer-ink", "verdict.tex").read_text()
+        self.assertIn(r"method & soft $F$ & 95\,\% & $F$ & ms", drawn)
+        summary = pd.read_csv(Path(folder("ink"), "summary.csv")).set_index("method").loc[["strokes", "surface8"]]
+        figure, _ = cost._error_time(looks.Style(), summary, summary, 4)
+        ax = figure.axes[0]
+        self.assertEqual(ax.get_ylabel(), "error 1 − soft F")
+        marks = [line.get_ydata()[0] for line in ax.lines if line.get_marker() not in ("None", "") and len(line.get_xdata()) == 1]
+        np.testing.assert_allclose(sorted(marks), sorted(1 - summary["soft_f"]))
+        plt.close(figure)
+
+    def check_is_that_of(self, run, at):
+        out, said = self.figures(f"answer-{run}", run=run), Path(folder(run), "verdict.md").read_text()
         for method, f, interval, ms in re.findall(
                 r"^\| (\w+)(?: \*)? \| (\S+) \| (\S+) \|.*\| (\S+) \| \S+ \| \S+ \|$", said, re.M):
-            self.assertEqual(self.cells(out)[method], [f, interval, ms])
+            self.assertEqual(self.cells(out, at)[method], [f, interval, ms])
         self.assertEqual(len(self.cells(out)), 8)
-        answer, digits = re.search(r"^\*\*(\w+)\*\*: (F \S+ in \S+ ms)", said, re.M).groups()
+        answer, digits = re.search(r"^\*\*(\w+)\*\*: ((?:soft )?F \S+ in \S+ ms)", said, re.M).groups()
         bold = answer.replace("_", r"\_")
         self.assertIn(rf"\textbf{{{bold}}}", (out / "verdict.tex").read_text())
         self.assertEqual((out / "figures.md").read_text().count(f"- the answer: {answer}, {digits}\n"), 2)

@@ -12,8 +12,8 @@ COMMANDS = {
     "seven": ["compare", "--scenes", "cube,tiles,torus,blocks,gear,gem,hills", "--methods",
               "mote4,surface8,id_lookup,roberts", "--repetitions", "2", "--views", "1", "--no-sweep",
               "--no-crosscheck", "--images", "none"],
-    "ink": ["compare", "--scenes", "cube", "--methods", "strokes,ids", "--repetitions", "1", "--views", "1",
-            "--no-sweep", "--no-crosscheck"],
+    "ink": ["compare", "--scenes", "cube,tiles,torus,blocks,gear,gem,hills", "--methods", "strokes,chords,id_lookup,surface8",
+            "--repetitions", "2", "--views", "1", "--no-sweep", "--no-crosscheck"],
     "stress": ["stress", "--methods", "mote4,ids", "--axes", "grazing,threads", "--points", "3"],
 }
 

@@ -31,8 +31,8 @@ class PageTest(BrowserTest):
         cls.printed = inkbench("compare", "--scenes", "cube,torus,tiles,blocks,hills,gear,staircase", "--methods",
                                "mote4,ids,edge_hash,surface8", "--size", "160x90", "--repetitions", "1", "--no-sweep",
                                "--no-crosscheck", "--images", "none", "--out", cls.folder / "seven")
-        inkbench("compare", "--scenes", "cube", "--methods", "strokes,ids", "--size", "160x90", "--repetitions", "1",
-                 "--no-crosscheck", "--out", cls.folder / "ink")
+        inkbench("compare", "--scenes", "cube,torus,tiles,blocks,hills,gear", "--methods", "strokes,surface_lookup,ids", "--size",
+                 "160x90", "--repetitions", "1", "--no-crosscheck", "--out", cls.folder / "ink")
         cls.page = cls.folder / "two.html"
         inkbench("report", cls.folder / "before", cls.folder / "after", "-o", cls.page)
 
@@ -207,6 +207,44 @@ class PageTest(BrowserTest):
                         self.assertIsNone(value)
                     else:
                         self.assertAlmostEqual(value, float(kept), places=9)
+
+    def test_ink_is_measured_by_soft_f_first(self):
+        page = self.folder / "ink" / "report.html"
+        self.open(page, part="verdict")
+        first = self.find("h1").text
+        self.assertRegex(first, "soft F 0")
+        self.assertIn(f"{first}. ", (self.folder / "ink" / "verdict.md").read_text().replace("*", ""))
+        self.assertEqual(self.script("return [...document.querySelector('select[aria-label=Measure]').options].map(o => o.value)[0]"),
+                         "soft_f")
+        heads = [head.text for head in self.find_all("#verdict thead tr:last-child th")]
+        self.assertEqual([heads[1][:6], heads.count("F at 2 px")], ["soft F", 1])
+        with open(self.folder / "ink" / "summary.csv", newline="") as file:
+            lines = {line["method"]: line for line in csv.DictReader(file)}
+        shown = self.script("return currentView().summaries.map(s => [s.method, s.value, s.f_2px, s.macro, s.range?.low])")
+        for method, *values in shown:
+            for key, value in zip(("soft_f", "f_2px", "soft_macro", "soft_lo"), values):
+                self.assertAlmostEqual(value, float(lines[method][key]), places=7, msg=(method, key))
+        with open(self.folder / "ink" / "soft_differences.csv", newline="") as file:
+            for line in csv.DictReader(file):
+                self.assertEqual(self.script("return currentView().differenceOf(...arguments).value", line["method"], line["other"]),
+                                 float(line["difference"]))
+        Select(self.find("select[aria-label=Measure]")).select_by_value("f_2px")
+        self.wait(lambda: "soft" not in self.find("h1").text)
+        self.assertEqual(self.address(), "#measure=f_2px")
+        self.show("time")
+        self.assertIn("F at 2 px", self.find("#chart-error-time").text)
+        self.find("#reset").click()
+        self.wait(lambda: "soft F" in self.find("#chart-error-time").text and self.find("h1").text == first)
+
+    def test_ink_under_a_filter_is_summed_from_the_rows(self):
+        self.open(self.folder / "ink" / "report.html", "#scenes=cube,gear")
+        with open(self.folder / "ink" / "rows.csv", newline="") as file:
+            rows = [row for row in csv.DictReader(file) if row["study"] == "compare" and row["scene"] in ("cube", "gear")]
+        for method, value in self.script("return currentView().summaries.map(s => [s.method, s.value])"):
+            own = [row for row in rows if row["method"] == method and row["status"] == "ok"]
+            of = lambda name: sum(float(row[f"ink_{name}_px"]) for row in own)
+            ink = 2 * (of("matched") + of("misplaced")) + of("surplus") + of("missing")
+            self.assertAlmostEqual(value, 2 * of("matched") / ink, places=12)
 
     def test_page_needs_no_network(self):
         text = (self.folder / "before" / "report.html").read_text()

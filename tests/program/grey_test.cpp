@@ -10,7 +10,9 @@
 namespace ink::program {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(GreyLines, OfAnyImageAreScoredAgainstAFileOrAModel) {
     const Desk desk;
@@ -76,6 +78,30 @@ TEST(GreyLines, AreMethodsOfTheirOwnInAComparison) {
     EXPECT_EQ(rows.at("oracle").at("soft_f"), "1");
     EXPECT_EQ(rows.at("none").at("soft_f"), "0");
     EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("coverage = true"));
+}
+
+TEST(GreyLines, AreWhatTheAnswerIsByWhereAMethodOfInkIsNamed) {
+    const Desk desk;
+    const std::string quick = "compare --scenes torus --size 320x180 --quick --images none --out ";
+    const std::string told = expect_done(desk, quick + "out --methods strokes,ids");
+    EXPECT_THAT(told, HasSubstr("strokes: soft F 0.9"));
+    EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("coverage = true"));
+    EXPECT_THAT(desk.read("out/soft_differences.csv"), HasSubstr("\nstrokes,ids,0."));
+    EXPECT_THAT(desk.read("out/summary.csv"), HasSubstr(",soft_f,soft_lo,soft_hi,"));
+    expect_done(desk, quick + "plain --methods surface_lookup,ids");
+    EXPECT_THAT(desk.read("plain/summary.csv"), Not(HasSubstr("soft")));
+    EXPECT_THAT(desk.read("plain/run.toml"), HasSubstr("coverage = false"));
+}
+
+TEST(GreyLines, AreWhatAdviceIsByIfAsked) {
+    const Desk desk;
+    const std::string asked = "advise torus --views 1 --size 320x180 --coverage";
+    EXPECT_THAT(expect_done(desk, asked),
+                AllOf(HasSubstr("soft F 0.9"), HasSubstr("% of the ink; ")));
+    const auto advice = expect_json(desk, asked + " --json");
+    EXPECT_EQ(advice["measure"], "soft_f");
+    EXPECT_GT(advice["use"]["soft_f"], 0.9);
+    EXPECT_THAT(advice["next"].get<std::string>(), HasSubstr(" --coverage "));
 }
 
 TEST(GreyLines, RefuseWhatCannotBeDrawn) {

@@ -233,6 +233,29 @@ TEST(VerdictMarkdown, HasASentenceForAPaper) {
                   "ms, 8.1 times as long (difference +0.004).\n"));
 }
 
+// `quick` is as good as `exact` within 2 px, and its ink is far from it.
+TEST(VerdictTable, IsBySoftFWhereInkWasScored) {
+    std::vector<harness::Row> rows = close_comparison(7);
+    for (harness::Row& row : rows) {
+        const double matched = row.method == "quick" ? 700 : 980;
+        row.soft = {1.5, matched, 0, 1000 - matched, 1000 - matched};
+    }
+    const std::string table = verdict_table(rows);
+    EXPECT_THAT(lines_of(table).at(0),
+                ContainsRegex("method +soft F +95 % +train +held-out +real +F 2px"));
+    EXPECT_THAT(lines_of(table).at(2), ContainsRegex("exact +.980 +.980-.980 +- +- +.980 +.971"));
+    for (const std::string& line : lines_of(table.substr(0, table.rfind("\n\n"))))
+        EXPECT_LE(line.size(), 90U) << line;
+    EXPECT_THAT(table,
+                AllOf(HasSubstr("\nexact: soft F 0.980 in 13.0 ms, the most exact. It leads: quick "
+                                "has 0.700 at 1.60 ms (-0.280 ["),
+                      HasSubstr("Soft F is of lines 1.5 px wide, over 7 views of 7 scenes pooled. "
+                                "It holds for real models")));
+    EXPECT_THAT(verdict_markdown(rows),
+                HasSubstr("exact has soft F = 0.980 of lines 1.5 px wide in 13.0 ms; the next, "
+                          "quick, has soft F = 0.700 in 1.60 ms"));
+}
+
 TEST(VerdictTable, SaysOnWhichPartsItHolds) {
     std::vector<harness::Row> rows = small_comparison();
     for (harness::Row& row : rows)

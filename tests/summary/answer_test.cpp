@@ -10,7 +10,7 @@ namespace {
 MethodSummary method_of(const std::string& name, double f, double ms) {
     MethodSummary summary;
     summary.method = name;
-    summary.f_2px = f;
+    summary.f.all = f;
     if (ms > 0) summary.draw_ms = ms;
     return summary;
 }
@@ -93,7 +93,7 @@ TEST(FindAnswer, NamesOfEqualImagesTheMethodThatDrawsThem) {
                                                 method_of("ids", 0.9, 0.5)};
         for (MethodSummary& s : summaries) {
             s.views = 1;
-            s.counts_of_scene["cube"] = {99, 100, 100};
+            s.f.counts_of_scene["cube"] = {99, 100, 100};
             s.image_hashes = s.method == "ids" ? "b " : "a ";
         }
         const Answer answer = find_answer(summaries, {});
@@ -123,14 +123,14 @@ std::vector<MethodSummary> two_over(int scenes, int missed) {
     std::vector<MethodSummary> summaries = {method_of("quick", 0, 1), method_of("exact", 0, 2)};
     for (int i = 0; i < scenes; ++i) {
         const std::string scene(1, static_cast<char>('a' + i));
-        summaries[0].counts_of_scene[scene] = {i % 2 == 0 ? 100 : 100 - missed, 100, 100};
-        summaries[1].counts_of_scene[scene] = {100, 100, 100};
+        summaries[0].f.counts_of_scene[scene] = {i % 2 == 0 ? 100 : 100 - missed, 100, 100};
+        summaries[1].f.counts_of_scene[scene] = {100, 100, 100};
     }
     for (MethodSummary& s : summaries) {
         score::CurveCount sum;
-        for (const auto& [scene, counts] : s.counts_of_scene)
+        for (const auto& [scene, counts] : s.f.counts_of_scene)
             sum += counts;
-        s.f_2px = sum.f();
+        s.f.all = sum.f();
     }
     return summaries;
 }
@@ -156,6 +156,21 @@ TEST(AnswerShares, AreNoneOfFewScenes) {
     const std::vector<MethodSummary> few = two_over(5, 2);
     EXPECT_TRUE(answer_shares(few, {}, 7).empty());
     EXPECT_EQ(rival_of(find_answer(few, {}), few, {}), nullptr);
+}
+
+// Within 2 px all are as good, and the quick one is the cheapest; by their ink it is far below.
+TEST(FindAnswer, IsBySoftFWhereMethodsHaveIt) {
+    std::vector<MethodSummary> summaries = two_over(6, 0);
+    summaries[0].soft_f = summaries[0].f;
+    summaries[1].soft_f = summaries[1].f;
+    EXPECT_EQ(name_of(find_answer(summaries, {}).method), "quick");
+    for (auto& [scene, counts] : summaries[0].soft_f.counts_of_scene)
+        counts = {80, 100, 100};
+    summaries[0].soft_f.all = 0.8;
+    const Answer answer = find_answer(summaries, {});
+    EXPECT_EQ(name_of(answer.method), "exact");
+    EXPECT_EQ(name_of(answer.next), "quick");
+    EXPECT_NEAR(answer_shares(summaries, {}, 7)[1], 1, 1e-9);
 }
 
 TEST(FindAnswer, IsNoBaseline) {

@@ -154,23 +154,62 @@ TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
     EXPECT_EQ(line_of(csv, 2).at("ap"), "");
 }
 
-TEST(Comparison, IsReadBackFromItsTablesToTheLastDigit) {
+std::vector<harness::Row> seven_scenes() {
     std::vector<harness::Row> rows;
     for (int i = 0; i < 7; ++i) {
         for (const char* method : {"a", "b", "sampled"})
             rows.push_back(scored_row(method, std::to_string(i), 20 + 7 * i + method[0] % 5 * i));
     }
-    const Comparison made = compare_methods(rows, {.f_margin = 0.02});
-    const auto table = [](const std::string& text) { return core::split_csv(text, "a table"); };
-    const auto summary = table(summary_csv(rows, made));
-    const auto read =
-        read_comparison(rows, made.rule, summary, table(differences_csv(made.differences)));
-    ASSERT_TRUE(read);
-    EXPECT_EQ(read->shares, made.shares);
-    EXPECT_EQ(differences_csv(read->differences), differences_csv(made.differences));
-    EXPECT_EQ(read->differences.front().range_of_all->low,
-              made.differences.front().range_of_all->low);
-    EXPECT_FALSE(read_comparison(rows, made.rule, summary, table("method,other\n")));
+    return rows;
+}
+
+std::map<std::string, core::CsvTable> split_tables(
+    const std::map<std::string, std::string>& texts) {
+    std::map<std::string, core::CsvTable> tables;
+    for (const auto& [name, text] : texts)
+        tables[name] = core::split_csv(text, name);
+    return tables;
+}
+
+TEST(Comparison, IsReadBackFromItsTablesToTheLastDigit) {
+    std::vector<harness::Row> rows = seven_scenes();
+    for (const bool has_ink : {false, true}) {
+        for (harness::Row& row : rows)
+            if (has_ink) row.soft = {1.5, 0.1 * static_cast<double>(row.k_2px), 3, 0.7, 0};
+        const Comparison made = compare_methods(rows, {.f_margin = 0.02});
+        const auto texts = comparison_tables(rows, made);
+        auto tables = split_tables(texts);
+        const auto read = read_comparison(rows, made.rule, tables);
+        ASSERT_TRUE(read);
+        EXPECT_EQ(read->shares, made.shares);
+        EXPECT_EQ(comparison_tables(rows, *read), texts);
+        EXPECT_EQ(read->differences.front().range_of_all->low,
+                  made.differences.front().range_of_all->low);
+        tables.rbegin()->second.columns.pop_back();
+        EXPECT_FALSE(read_comparison(rows, made.rule, tables));
+        tables.erase("differences.csv");
+        EXPECT_FALSE(read_comparison(rows, made.rule, tables));
+    }
+}
+
+TEST(Comparison, OfInkIsByTheSameRuleOverItsCounts) {
+    std::vector<harness::Row> rows = seven_scenes();
+    const Comparison plain = compare_methods(rows);
+    EXPECT_THAT(comparison_tables(rows, plain).at("summary.csv"),
+                testing::Not(testing::HasSubstr("soft_f")));
+    for (harness::Row& row : rows) {
+        const auto k = static_cast<double>(row.k_2px);
+        row.soft = {
+            1.5, k, 0, static_cast<double>(row.n_truth) - k, static_cast<double>(row.n_pred) - k};
+    }
+    const Comparison of_ink = compare_methods(rows);
+    const auto tables = comparison_tables(rows, of_ink);
+    EXPECT_EQ(tables.at("differences.csv"), comparison_tables(rows, plain).at("differences.csv"));
+    EXPECT_EQ(tables.at("soft_differences.csv"), tables.at("differences.csv"));
+    EXPECT_EQ(of_ink.shares, plain.shares);
+    const auto line = line_of(tables.at("summary.csv"), 1);
+    EXPECT_EQ(line.at("soft_f"), line.at("f_2px"));
+    EXPECT_EQ(line.at("soft_lo"), line.at("f_lo"));
 }
 
 TEST(SummaryCsv, AMethodsNameIsQuotedWhereItMustBe) {

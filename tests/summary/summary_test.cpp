@@ -53,12 +53,12 @@ TEST(Summarise, PoolsCountsAndTakesMeansApart) {
     const MethodSummary& s = summaries[0];
     EXPECT_EQ(s.views, 2);
     EXPECT_EQ(s.failed, 0);
-    EXPECT_DOUBLE_EQ(*s.f_2px, 0.875);  // 2 * 350 / 800
-    EXPECT_DOUBLE_EQ(*s.f_macro, 0.875) << "one scene";
+    EXPECT_DOUBLE_EQ(*s.f.all, 0.875);  // 2 * 350 / 800
+    EXPECT_DOUBLE_EQ(*s.f.macro, 0.875) << "one scene";
     EXPECT_DOUBLE_EQ(*s.f_1px, 0.6);  // 2 * 240 / 800
-    EXPECT_DOUBLE_EQ(*s.f_train, 0.5);
-    EXPECT_DOUBLE_EQ(*s.f_heldout, 1.0);
-    EXPECT_FALSE(s.f_real) << "no row is of a model";
+    EXPECT_DOUBLE_EQ(*s.f.train, 0.5);
+    EXPECT_DOUBLE_EQ(*s.f.heldout, 1.0);
+    EXPECT_FALSE(s.f.real) << "no row is of a model";
     EXPECT_DOUBLE_EQ(*s.precision, 0.875);
     EXPECT_DOUBLE_EQ(s.recall_by_class.at("crease"), 0.875);  // 350 of 400
     EXPECT_DOUBLE_EQ(s.recall_by_class.at("seam"), 0.25);
@@ -73,10 +73,22 @@ TEST(Summarise, AFailedRowIsCountedAndNothingElse) {
     const MethodSummary s = summarise(rows)[0];
     EXPECT_EQ(s.views, 1);
     EXPECT_EQ(s.failed, 1);
-    EXPECT_DOUBLE_EQ(*s.f_2px, 0.5);
-    EXPECT_FALSE(s.f_heldout);
+    EXPECT_DOUBLE_EQ(*s.f.all, 0.5);
+    EXPECT_FALSE(s.f.heldout);
     EXPECT_DOUBLE_EQ(*s.draw_ms, 2.0);
-    EXPECT_FALSE(s.f_2px_range) << "one view has no spread";
+    EXPECT_FALSE(s.f.range) << "one view has no spread";
+}
+
+TEST(Summarise, PoolsTheInkOfViewsThatHaveIt) {
+    std::vector<harness::Row> rows = two_views();
+    rows[0].soft = {1.5, 20, 0, 10, 0};  // 20 of 30 px^2
+    EXPECT_FALSE(summarise(rows)[0].soft_f.all) << "one view has none";
+    rows[1].soft = {1.5, 60, 0, 0, 10};
+    const MethodSummary s = summarise(rows)[0];
+    EXPECT_DOUBLE_EQ(*s.soft_f.all, 160.0 / 180);
+    EXPECT_DOUBLE_EQ(*s.soft_f.train, 0.8);
+    EXPECT_EQ(&s.judged(), &s.soft_f);
+    EXPECT_DOUBLE_EQ(*s.f.all, 0.875);
 }
 
 TEST(Summarise, PutsBaselinesLast) {
@@ -95,10 +107,10 @@ TEST(Summarise, TheIntervalHoldsThePooledValueAndRepeats) {
     for (int i = 0; i < 20; ++i)
         rows.push_back(scene_row(std::to_string(i), 50 + i, 100));
     const MethodSummary s = summarise(rows)[0];
-    ASSERT_TRUE(s.f_2px_range);
-    EXPECT_LT(s.f_2px_range->low, *s.f_2px);
-    EXPECT_GT(s.f_2px_range->high, *s.f_2px);
-    EXPECT_DOUBLE_EQ(s.f_2px_range->low, summarise(rows)[0].f_2px_range->low);
+    ASSERT_TRUE(s.f.range);
+    EXPECT_LT(s.f.range->low, *s.f.all);
+    EXPECT_GT(s.f.range->high, *s.f.all);
+    EXPECT_DOUBLE_EQ(s.f.range->low, summarise(rows)[0].f.range->low);
 }
 
 TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
@@ -107,8 +119,8 @@ TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
                               scene_row("large", 450, 500),
                               scene_row("small", 50, 100)})[0];
     EXPECT_EQ(s.scenes, 2);
-    EXPECT_DOUBLE_EQ(*s.f_2px, 0.86);   // 2 * 860 / 2000
-    EXPECT_DOUBLE_EQ(*s.f_macro, 0.7);  // (.9 + .5) / 2
+    EXPECT_DOUBLE_EQ(*s.f.all, 0.86);   // 2 * 860 / 2000
+    EXPECT_DOUBLE_EQ(*s.f.macro, 0.7);  // (.9 + .5) / 2
 }
 
 TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {
@@ -125,12 +137,12 @@ TEST(Summarise, NamesTheSceneWithMostOfTheError) {
     for (int i = 0; i < 6; ++i)
         rows.push_back(scene_row(std::to_string(i), i == 4 ? 60 : 98, 100));
     const MethodSummary s = summarise(rows)[0];
-    EXPECT_EQ(s.error_scene, "4");
-    EXPECT_DOUBLE_EQ(*s.error_scene_share, 0.8);  // 40 of 50
+    EXPECT_EQ(s.f.error_scene, "4");
+    EXPECT_DOUBLE_EQ(*s.f.error_scene_share, 0.8);  // 40 of 50
     EXPECT_TRUE(is_error_in_one_scene(s));
     rows.pop_back();
     EXPECT_FALSE(is_error_in_one_scene(summarise(rows)[0])) << "of five scenes";
-    EXPECT_EQ(summarise({scene_row("fine", 9, 9)})[0].error_scene, "");
+    EXPECT_EQ(summarise({scene_row("fine", 9, 9)})[0].f.error_scene, "");
 }
 
 }  // namespace

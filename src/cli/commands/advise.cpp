@@ -39,6 +39,8 @@ using summary::MethodSummary;
 constexpr const char* kOfMesh =
     "label8,surface8,surface8_depth,surface_lookup,id_lookup,edge_hash,ids,two_sums,mote4";
 constexpr const char* kOfImages = "roberts,roberts_tuned,sobel,decaudin,plane_distance";
+/// Of the mesh, where ink is asked for.
+constexpr const char* kOfInk = "strokes,chords";
 
 constexpr double kBandwidth_gb_s = 400;  ///< of a middling GPU of 2024
 constexpr const char* kFolder = "inkbench-out/advise";
@@ -58,13 +60,14 @@ struct AdviseArgs : MeasureArgs {
     bool json = false;
 };
 
-std::string methods_for(const std::string& have) {
+std::string methods_for(const std::string& have, bool coverage) {
     const std::vector<std::string> words = core::split_list(have);
     const auto has = [&](const char* word) { return std::ranges::count(words, word) > 0; };
     const bool is_known = std::ranges::all_of(words, [](const std::string& word) {
         return word == "mesh" || word == "depth" || word == "normals";
     });
-    if (is_known && has("mesh")) return std::string(kOfMesh) + "," + kOfImages;
+    const std::string of_mesh = std::string(kOfMesh) + (coverage ? std::string(",") + kOfInk : "");
+    if (is_known && has("mesh")) return of_mesh + "," + kOfImages;
     if (is_known && has("depth") && has("normals")) return kOfImages;
     throw core::Error(
         "--have", fmt::format("no method draws from '{}' alone", have), "mesh, or depth,normals");
@@ -109,7 +112,15 @@ struct Advice {
 };
 
 std::string ms_text(const MethodSummary& s) {
-    return fmt::format("F {:.3f} in {} ms", *s.f_2px, report::format_ms(s.draw_ms));
+    return fmt::format("{} {:.3f} in {} ms",
+                       report::measure_text(s.measure()),
+                       *s.judged().all,
+                       report::format_ms(s.draw_ms));
+}
+
+/// 0 of nothing.
+double percent_without(std::int64_t part, std::int64_t whole) {
+    return whole == 0 ? 0 : 100 * (1 - static_cast<double>(part) / static_cast<double>(whole));
 }
 
 /// Which class of lines most of what it misses is of; "" where it misses next to nothing.
@@ -139,9 +150,11 @@ std::string as_text(const Advice& advice) {
     const MethodSummary& use = *advice.answer.method;
     const MethodSummary* other = advice.answer.other();
     const std::string alike = report::times_text(advice.answer, report::Markup::none);
+    const bool is_ink = use.measure() == summary::Measure::soft_f;
+    const score::CurveCount of_model = use.judged().counts_of_scene.begin()->second;
     return fmt::format(
         "use        {}{}\n"
-        "expect     {} on one thread here, over {} view{}{}: it misses {:.1f} % of the lines{}; "
+        "expect     {} on one thread here, over {} view{}{}: it misses {:.1f} % of the {}; "
         "{:.1f} % of what it draws is false: {}\n"
         "runner-up  {}\n"
         "moves      {:.1f} MB a frame of {}x{} if each pixel is covered once: {:.3f} ms at {:g} "
@@ -153,9 +166,9 @@ std::string as_text(const Advice& advice) {
         use.views,
         use.views == 1 ? "" : "s",
         advice.is_crowded ? ", with lines too dense to score" : "",
-        100 * (1 - use.recall.value_or(0)),
-        missing_text(advice),
-        100 * (1 - use.precision.value_or(1)),
+        percent_without(of_model.k, of_model.n_truth),
+        is_ink ? "ink" : "lines" + missing_text(advice),
+        percent_without(of_model.k, of_model.n_pred),
         advice.picture,
         other == nullptr ? "none" : fmt::format("{}: {}", other->method, ms_text(*other)),
         advice.bytes() / 1e6,
@@ -169,13 +182,15 @@ std::string as_text(const Advice& advice) {
 Json as_json(const Advice& advice) {
     const auto method_json = [](const MethodSummary* s) -> Json {
         if (s == nullptr) return nullptr;
-        return {{"method", s->method},
-                {"f_2px", or_null(s->f_2px)},
-                {"precision_2px", or_null(s->precision)},
-                {"recall_2px", or_null(s->recall)},
-                {"recall_by_class", s->recall_by_class},
-                {"draw_ms", or_null(s->draw_ms)},
-                {"views", s->views}};
+        Json method = {{"method", s->method},
+                       {"f_2px", or_null(s->f.all)},
+                       {"precision_2px", or_null(s->precision)},
+                       {"recall_2px", or_null(s->recall)},
+                       {"recall_by_class", s->recall_by_class},
+                       {"draw_ms", or_null(s->draw_ms)},
+                       {"views", s->views}};
+        if (s->soft_f.all) method["soft_f"] = *s->soft_f.all;
+        return method;
     };
     Json as_cheap = Json::array();
     for (const MethodSummary* s : advice.answer.as_cheap)
@@ -183,6 +198,7 @@ Json as_json(const Advice& advice) {
     return {{"use", method_json(advice.answer.method)},
             {"as_cheap", std::move(as_cheap)},
             {"runner_up", method_json(advice.answer.other())},
+            {"measure", summary::name(advice.answer.method->measure())},
             {"counts_crowded", advice.is_crowded},
             {"picture", advice.picture},
             {"bytes_per_frame", advice.bytes()},
@@ -229,7 +245,7 @@ std::string next_command(const CLI::App& command,
 }
 
 void run_advise(AdviseArgs& args, const CLI::App& command) {
-    args.methods = {methods_for(args.have)};
+    args.methods = {methods_for(args.have, command.count("--coverage") > 0)};
     Advice advice{args.read(), {}};
     advice.asked.scenes = {one_scene(args.scenes, "advise")};
     if (!args.picture.empty()) check_output_path(args.picture, {".png"});
@@ -274,6 +290,7 @@ void add_advise_command(CLI::App& app) {
     rows.text("--have", args->have, "mesh|depth,normals",
               "What a frame has: the mesh, or no more than images of depth and normals");
     args->options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
+    args->options.add_to(*command, {"measure.coverage", "measure.line_width_px"});
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
     rows.text("-o,--out", args->picture, "FILE",
@@ -285,7 +302,9 @@ void add_advise_command(CLI::App& app) {
     add_cache_options(*command, args->cache);
     command->footer(
         "The answer is the cheapest method whose F is at most --f-margin below the best within "
-        "--budget-ms; of those that take less than 1.3 times as long, the most exact.\n"
+        "--budget-ms; of those that take less than 1.3 times as long, the most exact. With "
+        "--coverage "
+        "methods that draw ink take part, and soft F decides.\n"
         "Example: inkbench advise bunny.obj --budget-ms 1 --size 1920x1080\n"
         "Exit codes: 0 done, 1 no method has a score within the budget, 2 bad input, 130 "
         "interrupted.");

@@ -27,8 +27,7 @@
 #include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "harness/cells/cell.h"
-#include "summary/paired_differences.h"
-#include "summary/summary_csv.h"
+#include "summary/comparison.h"
 
 namespace ink::cli {
 namespace {
@@ -202,9 +201,8 @@ bool wrote_tables_of_scenes(const FiguresArgs& args, const std::vector<std::stri
         const fs::path out = args.folder.out;
         fs::create_directories(out);
         const auto comparison = summary::compare_methods(rows, run.record.answer);
-        core::write_whole_file(out / "summary.csv", summary::summary_csv(rows, comparison));
-        core::write_whole_file(out / "differences.csv",
-                               summary::differences_csv(comparison.differences));
+        for (const auto& [name, text] : summary::comparison_tables(rows, comparison))
+            core::write_whole_file(out / name, text);
         return true;
     }
     return false;

@@ -158,6 +158,7 @@ experiment::Experiment MeasureArgs::read() const {
     for (const method::MethodConfig& config :
          methods::make_configs(names, settings, experiment.compare.presets))
         if (!names.empty() && !config.owned) experiment.methods.push_back(config.info->name);
+    cover_named_ink(experiment);
     experiment.settings = settings;
     experiment.scenes = scene_names(scenes);
     return experiment;

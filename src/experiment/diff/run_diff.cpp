@@ -104,7 +104,7 @@ bool has_other_counts(const Row& a, const Row& b) {
 void compare_scores(const std::vector<summary::RowPair>& pairs,
                     std::uint64_t seed,
                     MethodDiff& diff) {
-    const summary::PairedScenes scenes = summary::paired_scenes(pairs);
+    const summary::PairedScenes scenes = summary::paired_scenes(pairs, summary::Measure::f_2px);
     if (scenes.is_empty()) return;
     diff.f_a = scenes.f_a();
     diff.f_b = scenes.f_b();

@@ -239,8 +239,9 @@ OptionTable make_table() {
         "Curves, tolerance sweep, bins and causes; else F at 2 px alone");
     in(kCompare, "--coverage").flag(
         kField<&E::compare, &C::coverage>, "measure.coverage",
-        "Score grey lines, too: soft_f of each pixel's drawn share against the share that the true "
-        "lines cover, with missing, surplus and misplaced ink");
+        "Score grey lines, too, and answer by that: soft_f of each pixel's drawn share against the "
+        "share that the true lines cover, with missing, surplus and misplaced ink; on where a "
+        "method that draws ink is named");
     in(kCompare, "--line-width").number(
         kField<&E::compare, &C::line_width_px>, "measure.line_width_px",
         {score::kLeastLineWidth_px, score::kMostLineWidth_px}, "PX",

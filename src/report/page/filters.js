@@ -7,8 +7,8 @@ state.define('scenes', null);
 state.define('split', 'all');
 state.define('scene_kind', 'all');
 state.define('projection', 'all');
-state.define('measure', 'f_2px');
 // What the run was asked for, until the reader asks for something else.
+state.define('measure', PACKED.runs[0].record.measure);
 state.define('budget', PACKED.runs[0].record.budget_ms);
 state.define('margin', PACKED.runs[0].record.f_margin);
 state.define('theme', 'auto');
@@ -20,6 +20,17 @@ const FILTERS = ['families', 'methods', 'scenes', 'split', 'scene_kind', 'projec
 function currentView() {
     const run = runs[state.get('run')] || runs[0];
     return viewOf(run);
+}
+
+/// Whether grey lines were scored.
+function hasInk(run) {
+    return run.rows.some(row => isNumber(row.soft_f));
+}
+
+/// The chosen measure; F where that is soft F and the run has none.
+function measureOf(run) {
+    const measure = state.get('measure');
+    return measure === 'soft_f' && !hasInk(run) ? 'f_2px' : measure;
 }
 
 function isSceneShown(row) {
@@ -36,7 +47,7 @@ function isMethodChosen(info) {
 }
 
 function viewOf(run) {
-    const measure = state.get('measure');
+    const measure = measureOf(run);
     const allRows = run.rows.filter(isSceneShown);
     const isMethodShown = name => isMethodChosen(run.methods.get(name));
     const rows = allRows.filter(row => isMethodShown(row.method));
@@ -59,8 +70,8 @@ function viewOf(run) {
         hasAllScenes, answer, best: answer.method, isWhole: isWhole(run),
         /// The paired difference of two methods, by name.
         differenceOf: (a, b) => {
-            const isTabled = hasAllScenes && measure === 'f_2px' && run.table('differences.csv').has('scenes');
-            if (isTabled) return (differences ??= tabledDifferences(run))(a, b);
+            const table = differencesTable(run, measure);
+            if (hasAllScenes && table.has('scenes')) return (differences ??= tabledDifferences(table))(a, b);
             const [ofA, ofB] = [a, b].map(name => contestants.find(s => s.method === name));
             return pairedDifference(ofA.rows, ofB.rows, measure);
         },
@@ -82,8 +93,10 @@ function isFiltered() {
 }
 
 /// Whether the page shows all of a run, asked as the run was: then the words of the run hold.
-function isWhole({words, record}) {
-    return words !== null && !isFiltered() && state.get('budget') === record.budget_ms && state.get('margin') === record.f_margin;
+function isWhole(run) {
+    const {words, record} = run;
+    return words !== null && !isFiltered() && measureOf(run) === record.measure && state.get('budget') === record.budget_ms &&
+        state.get('margin') === record.f_margin;
 }
 
 function drawFilters(root, view) {
@@ -111,8 +124,9 @@ function drawFilters(root, view) {
         projections.length > 1 ? chooser('Projection', [['all', 'both projections'], ...projections.map(one => [one, one])],
             state.get('projection'), projection => state.set({projection})) : null,
         run.rows.length ? chooser('Measure', [
+            ...(hasInk(run) ? [['soft_f', 'soft F']] : []),
             ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],
-            ...classes.map(name => [name, `recall: ${groupTitle(name)}`])], state.get('measure'),
+            ...classes.map(name => [name, `recall: ${groupTitle(name)}`])], view.measure,
             measure => state.set({measure})) : null,
         steps.length ? budgetField(steps) : null,
         run.rows.length ? marginField() : null,

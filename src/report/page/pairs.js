@@ -4,7 +4,7 @@
 /// The interval of a method's measure; null where the run has none, or scenes are left out.
 function rangeOf(run, {method}, measure, hasAllScenes) {
     const line = hasAllScenes && run.table('summary.csv').lines.find(one => one.method === method);
-    const key = measure === 'f_2px' ? 'f' : `recall_${measure}`;
+    const key = {f_2px: 'f', soft_f: 'soft'}[measure] || `recall_${measure}`;
     return line && isNumber(line[`${key}_lo`]) ? {low: line[`${key}_lo`], high: line[`${key}_hi`]} : null;
 }
 
@@ -27,10 +27,15 @@ function pairedDifference(a, b, measure) {
     };
 }
 
-/// The differences of differences.csv, as a function of two names; null for two without a view in common.
-function tabledDifferences(run) {
+/// The table of the differences of a measure, if the run has one.
+function differencesTable(run, measure) {
+    return run.table({f_2px: 'differences.csv', soft_f: 'soft_differences.csv'}[measure] ?? '');
+}
+
+/// Its differences, as a function of two names; null for two without a view in common.
+function tabledDifferences(table) {
     const range = (low, high) => (low === null ? null : {low, high});
-    const made = new Map(run.table('differences.csv').lines.map(line => [`${line.method}\n${line.other}`, {
+    const made = new Map(table.lines.map(line => [`${line.method}\n${line.other}`, {
         value: line.difference, scenes: line.scenes, better: line.better, worse: line.worse,
         range: range(line.lo, line.hi), rangeOfAll: range(line.lo_of_all, line.hi_of_all),
     }]));
@@ -47,6 +52,6 @@ function isLead(difference) {
 /// Says why there are no intervals, where filters are why.
 function noteSums(root, {hasAllScenes, measure}) {
     const words = !hasAllScenes ? 'Scenes are filtered: these are sums alone. Intervals are of all scenes.'
-        : ['f_1px', 'precision', 'recall'].includes(measure) ? 'Intervals are of F at 2 px, and of recall by class.' : '';
+        : ['f_1px', 'precision', 'recall'].includes(measure) ? 'Intervals are of F at 2 px, of soft F, and of recall by class.' : '';
     if (words) root.append(element('p', {class: 'note sums'}, words));
 }

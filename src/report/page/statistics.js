@@ -14,6 +14,12 @@ const MEASURES = {
         error: 'Error, 1 − F at 2 px',
         counts: row => row.k_2px === null ? null : [2 * row.k_2px, row.n_pred + row.n_truth],
     },
+    soft_f: {
+        title: 'soft F',
+        error: 'Error, 1 − soft F',
+        counts: row => row.ink_matched_px === null ? null : [2 * row.ink_matched_px,
+            2 * (row.ink_matched_px + row.ink_misplaced_px) + row.ink_surplus_px + row.ink_missing_px],
+    },
     f_1px: {
         title: 'F at 1 px',
         error: 'Error, 1 − F at 1 px',
@@ -129,6 +135,7 @@ function summarise(method, rows, measure) {
         real: ofSplit('real'),
         macro: macro.length ? d3.mean(macro) : null,
         kinds: kinds.length > 1 ? d3.mean(kinds) : null,
+        f_2px: pooled(scored, 'f_2px'),
         f_1px: pooled(scored, 'f_1px'),
         precision: pooled(scored, 'precision'),
         recall: pooled(scored, 'recall'),

@@ -29,13 +29,14 @@ std::string scenes_text(const std::vector<harness::Row>& rows, int count) {
 }
 
 std::string f_text(const MethodSummary& s) {
-    return fmt::format("{:.3f}", *s.f_2px);
+    return fmt::format("{:.3f}", *s.judged().all);
 }
 
 /// "72 % of its error in bars"; "" where it does not sit in one scene.
 std::string error_scene_text(const MethodSummary& s) {
     if (!summary::is_error_in_one_scene(s)) return "";
-    return fmt::format("{:.0f} % of its error in {}", 100 * *s.error_scene_share, s.error_scene);
+    const summary::FSummary& f = s.judged();
+    return fmt::format("{:.0f} % of its error in {}", 100 * *f.error_scene_share, f.error_scene);
 }
 
 /// " in 1.60 ms"; "" without a time.
@@ -52,7 +53,8 @@ struct Rival {
 };
 
 Rival rival_of(const summary::Comparison& comparison, const Answer& answer) {
-    const auto& [rule, summaries, differences, shares] = comparison;
+    const auto& summaries = comparison.summaries;
+    const auto& shares = comparison.shares;
     const MethodSummary* rival = summary::rival_of(answer, summaries, shares);
     return rival == nullptr
                ? Rival{}
@@ -73,13 +75,16 @@ std::string rival_sentence(const Answer& answer,
         "margin is {:g}.",
         100 * rival.share,
         code(cheaper.method, markup),
-        *answer.most_exact->f_2px - *cheaper.f_2px,
+        *answer.most_exact->judged().all - *cheaper.judged().all,
         rule.f_margin);
 }
 
 /// How the other differs from the answer; nothing without a view that both have.
-std::optional<PairedDifference> difference_of(const std::vector<PairedDifference>& differences,
+std::optional<PairedDifference> difference_of(const summary::Comparison& comparison,
                                               const Answer& answer) {
+    const auto& differences = comparison.measure() == summary::Measure::soft_f
+                                  ? comparison.soft_differences
+                                  : comparison.differences;
     const auto paired = std::ranges::find_if(differences, [&](const PairedDifference& d) {
         return d.a == answer.other()->method && d.b == answer.method->method;
     });
@@ -111,11 +116,11 @@ std::string interval_sentence(const std::vector<harness::Row>& rows,
 
 /// What the answer is held against.
 std::string other_sentences(const std::vector<harness::Row>& rows,
-                            const std::vector<PairedDifference>& differences,
+                            const summary::Comparison& comparison,
                             const Answer& answer,
                             Markup markup) {
     const MethodSummary& other = *answer.other();
-    const auto paired = difference_of(differences, answer);
+    const auto paired = difference_of(comparison, answer);
     const bool is_lead = paired && paired->is_significant();
     const bool is_answer_best = answer.method == answer.most_exact;
     const std::string scene = error_scene_text(other);
@@ -154,6 +159,18 @@ std::string format_ms(const std::optional<double>& ms) {
     return fmt::format("{:.{}f}", *ms, decimals);
 }
 
+std::string measure_text(summary::Measure measure) {
+    return measure == summary::Measure::soft_f ? "soft F" : "F";
+}
+
+std::string measure_extent(const std::vector<harness::Row>& rows, summary::Measure measure) {
+    const auto row =
+        std::ranges::find_if(rows, [](const harness::Row& r) { return r.soft.has_value(); });
+    return measure == summary::Measure::f_2px || row == rows.end()
+               ? "at 2 px"
+               : fmt::format("of lines {:g} px wide", row->soft->line_width_px);
+}
+
 std::string times_text(const Answer& answer, Markup markup) {
     if (answer.as_cheap.empty()) return "";
     std::vector<std::string> names;
@@ -180,14 +197,17 @@ AnswerText answer_text(const std::vector<harness::Row>& rows,
         return {"No method was scored on any view, so there is no verdict", ""};
     const MethodSummary& method = *answer.method;
     const Rival rival = rival_of(comparison, answer);
-    std::string first = fmt::format("{}{}: F {}{}",
+    const std::string measure = measure_text(method.measure());
+    std::string first = fmt::format("{}{}: {} {}{}",
                                     budget,
                                     strong(method.method, markup),
+                                    measure,
                                     f_text(method),
                                     time_text("in", method));
     if (rival.method != nullptr) {
-        first += fmt::format(", or {}: F {}{}",
+        first += fmt::format(", or {}: {} {}{}",
                              strong(rival.method->method, markup),
+                             measure,
                              f_text(*rival.method),
                              time_text("in", *rival.method));
     }
@@ -200,7 +220,7 @@ AnswerText answer_text(const std::vector<harness::Row>& rows,
     if (!answer.as_cheap.empty()) rest += " A" + times_text(answer, markup).substr(1) + ".";
     const std::string scene = error_scene_text(method);
     if (!scene.empty()) rest += fmt::format(" It has {}.", scene);
-    if (!is_alone) rest += other_sentences(rows, comparison.differences, answer, markup);
+    if (!is_alone) rest += other_sentences(rows, comparison, answer, markup);
     return {first, rest.empty() ? "" : rest.substr(1)};
 }
 
@@ -209,20 +229,24 @@ std::string paper_sentence(const std::vector<harness::Row>& rows,
     const Answer answer = comparison.answer();
     if (answer.method == nullptr) return "";
     const MethodSummary& method = *answer.method;
-    std::string text = fmt::format("Over {}, {} has F = {:.3f} at 2 px{}",
+    const std::string measure = measure_text(method.measure());
+    std::string text = fmt::format("Over {}, {} has {} = {} {}{}",
                                    extent_text(rows, method),
                                    method.method,
-                                   *method.f_2px,
+                                   measure,
+                                   f_text(method),
+                                   measure_extent(rows, method.measure()),
                                    time_text("in", method));
     const MethodSummary* other = answer.other();
     if (other == nullptr) return text + ".";
-    text += fmt::format("; {}, {} has F = {:.3f}{}",
+    text += fmt::format("; {}, {} has {} = {}{}",
                         &method == answer.most_exact ? "the next" : "the most exact method",
                         other->method + ",",
-                        *other->f_2px,
+                        measure,
+                        f_text(*other),
                         time_text("in", *other));
     text += times_as_long(method, *other);
-    const auto paired = difference_of(comparison.differences, answer);
+    const auto paired = difference_of(comparison, answer);
     if (!paired) return text + ".";
     const std::string difference = format_paired_difference(*paired, true);
     return text + fmt::format(" (difference {}{}).",

@@ -15,6 +15,12 @@ enum class Markup { none, markdown };
 /// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
 [[nodiscard]] std::string format_ms(const std::optional<double>& ms);
 
+/// What a method is judged by: "F", or "soft F".
+[[nodiscard]] std::string measure_text(summary::Measure measure);
+/// What that is of: "at 2 px", or "of lines 1.5 px wide".
+[[nodiscard]] std::string measure_extent(const std::vector<harness::Row>& rows,
+                                         summary::Measure measure);
+
 /// Which methods may be the answer where times move: "another run may name `a`, `b`: ...";
 /// "" for none.
 [[nodiscard]] std::string times_text(const summary::Answer& answer, Markup markup);

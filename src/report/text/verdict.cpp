@@ -31,19 +31,27 @@ std::string name_of(const summary::MethodSummary& s) {
     return s.method + (s.has_own_clock ? " +" : "");
 }
 
-core::Cells cells_of(const std::vector<summary::MethodSummary>& summaries) {
+/// What methods are judged by stands first, with its interval and parts; F after soft F.
+core::Cells cells_of(const summary::Comparison& comparison) {
+    const bool is_soft = comparison.measure() == summary::Measure::soft_f;
+    const char* const judged = is_soft ? "soft F" : "F 2px";
+    constexpr std::ptrdiff_t kAfterParts = 6;
     core::Cells cells = {
-        {"method", "F 2px", "95 %", "train", "held-out", "real", "draw ms", "B/px", "views"}};
-    for (const summary::MethodSummary& s : summaries) {
+        {"method", judged, "95 %", "train", "held-out", "real", "draw ms", "B/px", "views"}};
+    if (is_soft) cells.front().insert(cells.front().begin() + kAfterParts, "F 2px");
+    for (const summary::MethodSummary& s : comparison.summaries) {
+        const summary::FSummary& f = s.by(comparison.measure());
         cells.push_back({name_of(s),
-                         core::format_share(s.f_2px),
-                         format_range(s.f_2px_range),
-                         core::format_share(s.f_train),
-                         core::format_share(s.f_heldout),
-                         core::format_share(s.f_real),
+                         core::format_share(f.all),
+                         format_range(f.range),
+                         core::format_share(f.train),
+                         core::format_share(f.heldout),
+                         core::format_share(f.real),
                          format_ms(s.draw_ms),
                          s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-",
                          views_of(s)});
+        if (!is_soft) continue;
+        cells.back().insert(cells.back().begin() + kAfterParts, core::format_share(s.f.all));
     }
     return cells;
 }
@@ -59,27 +67,32 @@ std::string marks(const std::vector<summary::MethodSummary>& summaries) {
 
 /// On which parts of the suite the verdict holds: the best method of each part, or which the only
 /// part is.
-std::string by_part(const std::vector<summary::MethodSummary>& summaries) {
-    using S = summary::MethodSummary;
+std::string by_part(const summary::Comparison& comparison) {
+    using F = summary::FSummary;
     struct Part {
         const char* name;
-        std::optional<double> S::*f;
+        std::optional<double> F::*f;
     };
-    constexpr Part kParts[] = {{"training scenes", &S::f_train},
-                               {"held-out scenes", &S::f_heldout},
-                               {"real models", &S::f_real}};
+    constexpr Part kParts[] = {{"training scenes", &F::train},
+                               {"held-out scenes", &F::heldout},
+                               {"real models", &F::real}};
+    const summary::Measure measure = comparison.measure();
     std::vector<std::string> texts;
     const char* only = "";
     for (const Part& part : kParts) {
-        const S* best = nullptr;
-        for (const S& s : summaries) {
-            if (s.is_baseline || !(s.*part.f)) continue;
-            if (best == nullptr || *(s.*part.f) > *(best->*part.f)) best = &s;
+        const summary::MethodSummary* best = nullptr;
+        const auto f_of = [&](const summary::MethodSummary& s) { return s.by(measure).*part.f; };
+        for (const summary::MethodSummary& s : comparison.summaries) {
+            if (s.is_baseline || !f_of(s)) continue;
+            if (best == nullptr || *f_of(s) > *f_of(*best)) best = &s;
         }
         if (best == nullptr) continue;
         only = part.name;
-        texts.push_back(fmt::format(
-            "{} on {} (F {})", best->method, part.name, core::format_share(best->*part.f)));
+        texts.push_back(fmt::format("{} on {} ({} {})",
+                                    best->method,
+                                    part.name,
+                                    measure_text(measure),
+                                    core::format_share(f_of(*best))));
     }
     if (texts.empty()) return "";
     if (texts.size() == 1) return fmt::format(" It holds for {}: no others took part.", only);
@@ -114,16 +127,16 @@ std::string sample_warning(const char* baseline,
                            const std::vector<harness::Row>& rows,
                            const std::vector<summary::MethodSummary>& summaries) {
     const auto exact = std::ranges::find_if(summaries, [&](const summary::MethodSummary& s) {
-        return s.method == baseline && s.f_2px;
+        return s.method == baseline && s.f.all;
     });
     if (exact == summaries.end()) return "";
     std::string better;
     for (const summary::MethodSummary& s : summaries) {
-        const bool is_better = s.f_2px && *s.f_2px > *exact->f_2px;
+        const bool is_better = s.f.all && *s.f.all > *exact->f.all;
         if (s.is_baseline || !is_better || !summary::takes_one_sample(s.method)) continue;
         if (std::string_view(baseline_of(s.method, rows)) != baseline) continue;
         better += fmt::format(
-            "{}{} (F {})", better.empty() ? "" : ", ", s.method, core::format_share(s.f_2px));
+            "{}{} (F {})", better.empty() ? "" : ", ", s.method, core::format_share(s.f.all));
     }
     if (better.empty()) return "";
     return fmt::format(
@@ -131,7 +144,7 @@ std::string sample_warning(const char* baseline,
         "are thinner than a pixel: one sample finds them by chance, so other views may score less.",
         better,
         baseline,
-        core::format_share(exact->f_2px));
+        core::format_share(exact->f.all));
 }
 
 /// Names the methods whose error sits in one scene, for their F is known less well than it seems;
@@ -140,8 +153,9 @@ std::string error_scenes(const std::vector<summary::MethodSummary>& summaries) {
     std::vector<std::string> texts;
     for (const summary::MethodSummary& s : summaries) {
         if (s.is_baseline || !summary::is_error_in_one_scene(s)) continue;
+        const summary::FSummary& f = s.judged();
         texts.push_back(
-            fmt::format("{} {:.0f} % in {}", s.method, 100 * *s.error_scene_share, s.error_scene));
+            fmt::format("{} {:.0f} % in {}", s.method, 100 * *f.error_scene_share, f.error_scene));
     }
     if (texts.empty()) return "";
     return fmt::format("Most of the error in one scene: {}.", fmt::join(texts, ", "));
@@ -200,13 +214,16 @@ std::string scored_text(const std::vector<harness::Row>& rows, const summary::Me
 
 /// Over what the answer is, on which parts it holds, how many cells failed.
 std::string extent_sentences(const std::vector<harness::Row>& rows,
-                             const std::vector<summary::MethodSummary>& summaries) {
-    const summary::MethodSummary* most = summary::find_answer(summaries, {}).most_exact;
-    if (most == nullptr) return failures(summaries);
-    return fmt::format(" F is at 2 px, over {} pooled.{}{}",
+                             const summary::Comparison& comparison) {
+    const summary::MethodSummary* most = summary::find_answer(comparison.summaries, {}).most_exact;
+    if (most == nullptr) return failures(comparison.summaries);
+    const summary::Measure measure = comparison.measure();
+    return fmt::format(" {} is {}, over {} pooled.{}{}",
+                       measure == summary::Measure::soft_f ? "Soft F" : "F",
+                       measure_extent(rows, measure),
                        scored_text(rows, *most),
-                       by_part(summaries),
-                       failures(summaries));
+                       by_part(comparison),
+                       failures(comparison.summaries));
 }
 
 /// What must be known before any number is read; "" of a finished run.
@@ -226,11 +243,11 @@ std::string verdict_table(const std::vector<harness::Row>& rows,
                           const Missing& missing) {
     const std::vector<summary::MethodSummary>& summaries = comparison.summaries;
     const std::string sentence =
-        answer_text(rows, comparison, Markup::none).whole() + extent_sentences(rows, summaries);
+        answer_text(rows, comparison, Markup::none).whole() + extent_sentences(rows, comparison);
     if (summaries.empty()) return sentence;
     std::string text = fmt::format("{}{}{}\n\n{}",
                                    unfinished_line(missing),
-                                   core::aligned(cells_of(summaries)),
+                                   core::aligned(cells_of(comparison)),
                                    marks(summaries),
                                    sentence);
     for (const std::string& line : warnings(rows, summaries))
@@ -242,12 +259,12 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows,
                              const summary::Comparison& comparison,
                              const Missing& missing) {
     const std::vector<summary::MethodSummary>& summaries = comparison.summaries;
-    const std::string sentence =
-        answer_text(rows, comparison, Markup::markdown).whole() + extent_sentences(rows, summaries);
+    const std::string sentence = answer_text(rows, comparison, Markup::markdown).whole() +
+                                 extent_sentences(rows, comparison);
     if (summaries.empty()) return sentence + "\n";
     std::string text = fmt::format("{}{}\n{}\n\n{}\n",
                                    unfinished_line(missing),
-                                   core::markdown(cells_of(summaries)),
+                                   core::markdown(cells_of(comparison)),
                                    marks(summaries),
                                    sentence);
     const std::string paper = paper_sentence(rows, comparison);
@@ -262,7 +279,7 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows,
 
 VerdictWords verdict_words(const std::vector<harness::Row>& rows,
                            const summary::Comparison& comparison) {
-    const std::string extent = extent_sentences(rows, comparison.summaries);
+    const std::string extent = extent_sentences(rows, comparison);
     return {answer_text(rows, comparison, Markup::none),
             extent.empty() ? "" : extent.substr(1),
             paper_sentence(rows, comparison),

@@ -22,7 +22,9 @@ function aboutTerms() {
         ['F', 'joins precision and recall: F = 2 K / (drawn + true), where K is the largest number of drawn and ' +
             'true pixels that can be paired one to one, at most 2 px (or 1 px) apart. Lines are thinned first, ' +
             'and 6 px at the frame do not count.'],
-        ['error', '1 − F.'],
+        ['soft F', 'F of ink: 2 Σ min(I, C) / Σ (I + C), where I is the share of a pixel that is drawn and C the share that true ' +
+            'lines of the run’s width cover. Black-and-white lines cover their pixels whole.'],
+        ['error', '1 − F, or 1 − soft F.'],
         ['precision', 'the share of drawn pixels that are matched.'],
         ['recall', 'the share of true pixels that are matched.'],
         ['pooled', 'the counts of all views are added before they are divided, so every pixel counts alike. A cell ' +
@@ -36,7 +38,7 @@ function aboutTerms() {
             'times with replacement, each with all its views, because views of one scene are hard or easy ' +
             'together (the bootstrap t). Such intervals of the catalogue’s scenes hold the truth in 80 of 100 cases with 6 ' +
             'scenes, in 85 with 16 and in 90 with 36; in fewer where most of the error sits in one scene. Fewer than six give none.'],
-        ['answer', 'of the methods within the time budget, the cheapest whose F is at most a margin (0.01 unless the run was ' +
+        ['answer', 'of the methods within the time budget, the cheapest whose F (soft F where ink was scored) is at most a margin (0.01 unless the run was ' +
             'asked for another) below the best of them. It is held against the most exact, or the next if it is that itself.'],
         ['paired difference', 'two methods compared on the same views, scenes drawn anew for both together. Of ' +
             'twenty 95 % intervals, one misses by chance; so a method leads only by the interval that is to ' +

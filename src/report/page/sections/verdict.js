@@ -5,7 +5,7 @@ addSection({
     isMain: true,
     title: 'Verdict',
     intro: view => 'Counts of all views are pooled. F is the harmonic mean of precision and recall of one-to-one ' +
-        'matches between drawn and true pixels. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
+        'matches between drawn and true pixels' + (hasInk(view.run) ? ', soft F that of their ink' : '') + '. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
         'sampled (one exact sample a pixel, at its centre), exact_corner (one at its corner), oracle (the truth itself).',
     isThere: view => view.run.rows.length > 0 && !view.run.has('hardest.csv'),
     uses: ['sort.verdict'],
@@ -25,6 +25,7 @@ addSection({
             shareColumn('real', 'real models', line => line.real, {help: 'Over model files; the other scenes are made by code'}),
             shareColumn('macro', 'mean of scenes', line => line.macro, {help: 'Every scene counts alike'}),
             shareColumn('kinds', 'mean of kinds', line => line.kinds, {help: 'Every kind of scene counts alike'}),
+            ...(view.measure === 'soft_f' ? [shareColumn('f_2px', 'F at 2 px', line => line.f_2px)] : []),
             shareColumn('f_1px', 'F at 1 px', line => line.f_1px),
             shareColumn('precision', 'precision', line => line.precision),
             shareColumn('recall', 'recall', line => line.recall),
