@@ -26,8 +26,7 @@ in float nearness;
 layout(location = 0) out highp uvec2 drawn;
 
 void main() { drawn = uvec2(drawn_id, floatBitsToUint(nearness * gl_FragCoord.w)); }
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+//// screen of surface8
 //// lines
 precision highp float;
 precision highp int;

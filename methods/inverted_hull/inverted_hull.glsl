@@ -27,8 +27,7 @@ uniform highp uint ink;
 layout(location = 0) out highp uint drawn;
 
 void main() { drawn = ink; }
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+//// screen of surface8
 //// lines
 precision highp float;
 uniform highp usampler2D codes;

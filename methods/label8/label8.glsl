@@ -3,26 +3,9 @@
 // The mesh is drawn by `vertex` and `fragment` into a texture R8UI, cleared to 0, one column and one row
 // larger than the image: its samples are the corners of pixels. Depth test, both sides, no multisampling.
 // Then three vertices are drawn over the image by `screen` and `lines`. Names are those of three.js.
-//// vertex
-precision highp float;
-uniform mat4 modelViewMatrix, projectionMatrix;
-uniform vec2 size;  // of the image, px
-in vec3 position;
-in float _ink;  // the label of its triangle, 1..255: what inkbench bake --codes label8 writes
-flat out highp uint code;
-
-void main() {
-    code = uint(_ink + 0.5);
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1);
-    gl_Position.xy *= size / (size + 1.0);  // half a pixel more on every side
-}
-//// fragment
-flat in highp uint code;
-layout(location = 0) out highp uint drawn;
-
-void main() { drawn = code; }
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+//// vertex of surface8
+//// fragment of surface8
+//// screen of surface8
 //// lines
 precision highp float;
 uniform highp usampler2D codes;

@@ -30,8 +30,7 @@ void main() {
     float normals = gl_FrontFacing ? parts.y : -parts.y;
     drawn = uint(clamp(floor(parts.x + normals + 3.0 * 31.5 + 0.5), 0.0, 255.0));
 }
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+//// screen of surface8
 //// lines
 precision highp float;
 precision highp int;

@@ -26,8 +26,7 @@ void main() {
     vec4 channels = channels_w * gl_FragCoord.w;  // linear on the screen
     drawn = floatBitsToUint(vec4(channels.x, gl_FrontFacing ? channels.yzw : -channels.yzw));
 }
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+//// screen of surface8
 //// lines
 precision highp float;
 precision highp int;

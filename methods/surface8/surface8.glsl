@@ -8,12 +8,12 @@ precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform vec2 size;  // of the image, px
 in vec3 position;
-in float _ink;  // the code of its triangle, 2..255: what inkbench bake --codes surface8 writes
+in float _ink;  // the code of its triangle: what inkbench bake --codes writes
 flat out highp uint code;
 
 void main() {
     code = uint(_ink + 0.5);
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1);
+    gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1));
     gl_Position.xy *= size / (size + 1.0);  // half a pixel more on every side
 }
 //// fragment

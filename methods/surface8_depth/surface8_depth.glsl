@@ -26,12 +26,8 @@ in float nearness;
 layout(location = 0) out highp uint drawn;
 layout(location = 1) out highp uint drawn_depth;
 
-void main() {
-    drawn = code;
-    drawn_depth = floatBitsToUint(nearness * gl_FragCoord.w);
-}
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+void main() { drawn = code, drawn_depth = floatBitsToUint(nearness * gl_FragCoord.w); }
+//// screen of surface8
 //// lines
 precision highp float;
 precision highp int;
@@ -41,17 +37,21 @@ uniform vec2 size;
 out vec4 line;
 
 int code_at(ivec2 p) { return int(texelFetch(codes, p, 0).r); }
-float q_at(ivec2 p) { return uintBitsToFloat(texelFetch(depths, clamp(p, ivec2(0), ivec2(size)), 0).r); }
-
-bool is_line(ivec2 p, ivec2 to) {
-    float a = q_at(p), b = q_at(p + to), j = b - a, s0 = a - q_at(p - to), s1 = q_at(p + 2 * to) - b;
-    float jump_world = 8.0 / (0.5 * size.y * cameraProjection[1][1]);  // 8 px, at distance 1
-    float least = jump_world * (cameraProjection[3][3] == 0.0 ? max(a, b) : 1.0);
-    bool jumps = max(j - max(s0, s1), min(s0, s1) - j) > least && abs(j) > 2.0 * max(abs(s0), abs(s1));
-    return jumps || abs(code_at(p) - code_at(p + to)) >= 2;
-}
+float q_at(int x, int y) { return uintBitsToFloat(texelFetch(depths, ivec2(x, y), 0).r); }
 
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy), x = ivec2(1, 0), y = ivec2(0, 1);
-    line = vec4(is_line(p, x) || is_line(p, y) || is_line(p + y, x) || is_line(p + x, y));
+    int c00 = code_at(p), c10 = code_at(p + x), c01 = code_at(p + y), c11 = code_at(p + x + y);
+    int most = max(max(abs(c00 - c10), abs(c00 - c01)), max(abs(c11 - c10), abs(c11 - c01)));
+    line = vec4(most >= 2);
+    if (most >= 2 || c00 == 0) return;  // a line by its codes, or all sky
+    // Depths of the square and, of each of its four sides, those before and after in line. A jump is 8 px deep.
+    vec4 q = vec4(q_at(p.x, p.y), q_at(p.x + 1, p.y), q_at(p.x, p.y + 1), q_at(p.x + 1, p.y + 1));
+    ivec2 first = max(p - 1, 0), last = min(p + 2, ivec2(size));
+    vec4 before = vec4(q_at(first.x, p.y), q_at(first.x, p.y + 1), q_at(p.x, first.y), q_at(p.x + 1, first.y));
+    vec4 after = vec4(q_at(last.x, p.y), q_at(last.x, p.y + 1), q_at(p.x, last.y), q_at(p.x + 1, last.y));
+    vec4 a = q.xzxy, b = q.ywzw, j = b - a, s0 = a - before, s1 = after - b;
+    vec4 least = 16.0 / (size.y * cameraProjection[1][1]) * (cameraProjection[3][3] == 0.0 ? max(a, b) : vec4(1));
+    vec4 over = min(max(j - max(s0, s1), min(s0, s1) - j) - least, abs(j) - 2.0 * max(abs(s0), abs(s1)));
+    line = vec4(max(max(over.x, over.y), max(over.z, over.w)) > 0.0);
 }

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from access import faults
-from browser import BrowserTest, Keys, TimeoutException, inkbench, skip, webdriver
+from browser import PROGRAM, BrowserTest, Keys, TimeoutException, inkbench, skip, webdriver
 from controls import controls, work
 
 try:
@@ -17,7 +17,7 @@ try:
 except ImportError:
     skip("python3-numpy or python3-pil is not installed")
 
-ROOT = Path(__file__).resolve().parents[2]
+SHADERS = Path(PROGRAM).parent / "generated" / "shaders"  # whole
 SIZE = (320, 180)
 # The thresholds of the program's methods; 128 for what is not here.
 THRESHOLDS = {"roberts": 74, "decaudin": 146, "mote4": 6}
@@ -129,7 +129,7 @@ class LiveTest(BrowserTest):
     def test_each_shader_is_short_and_what_is_copied(self):
         self.open_live()
         for method in self.script("return inkbench.methods"):
-            text = (ROOT / "methods" / method / f"{method}.glsl").read_text()
+            text = (SHADERS / f"{method}.glsl").read_text()
             self.assertLessEqual(len(text.splitlines()), MOST_SHADER_LINES, method)
             self.assertEqual(self.script("return SHADERS[arguments[0]].text", method), text)
             self.script("choose({left: arguments[0]})", method)

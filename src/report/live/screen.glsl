@@ -1,6 +1,5 @@
 // A part of the page's picture: the fill, and lines over it, as wide as they are asked for.
-//// screen
-void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }
+//// screen of surface8
 //// lines
 precision highp float;
 precision highp int;
