@@ -52,7 +52,6 @@ function foldedPart(section, words) {
     section.fold = element('details', {class: 'fold', open: section.isAlone || state.get('open').includes(section.id)},
         element('summary', {}, element('h2', {}, section.title)), words, section.body);
     section.fold.addEventListener('toggle', () => {
-        if (isPrinting) return;
         const others = state.get('open').filter(id => id !== section.id);
         if (!section.isAlone) state.set({open: section.fold.open ? [...others, section.id] : others});
         if (section.fold.open && section.isStale) drawSection(section);

@@ -69,12 +69,12 @@ function gridLine(view, line, methods, watcher, isViewNamed) {
 
 /// One image, or its caption alone where the run kept none; a click opens it in the viewer.
 function gridCell(view, line, method, caption, row, watcher) {
-    if (!viewImages.has(view.run, line.scene, line.view, method)) return element('td', {class: `thumb-cell${row && !isScored(row) ? ' unscored' : ''}`, 'data-method': method}, caption);
+    if (!viewImages.has(view.run, line.scene, line.view, method)) return element('td', {class: `thumb-cell${row && !isScored(row) ? ' unscored' : ''}`}, caption);
     const canvas = element('canvas', {class: 'thumb', 'data-what': [line.scene, line.view, method].join('\n'),
         style: `width:${THUMB_PX}px;height:${(THUMB_PX * 9) / 16}px`});
     watcher.observe(canvas);
     const button = element('button', {type: 'button', class: 'thumb-button', 'aria-label': `${method} on ${line.scene}: ${caption.textContent}`,
         onclick: () => openInViewer({scene: line.scene, view: line.view, ...(row ? {right: method} : {left: 'truth'})})}, canvas, caption);
     if (row) answerHover(button, [row], []);
-    return element('td', {class: `thumb-cell${row && !isScored(row) ? ' unscored' : ''}`, 'data-method': method}, button);
+    return element('td', {class: `thumb-cell${row && !isScored(row) ? ' unscored' : ''}`}, button);
 }
