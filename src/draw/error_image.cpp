@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "draw/palette.h"
-#include "edge/set_pixels.h"
 #include "edge/thin.h"
 #include "truth/line_class.h"
 
@@ -52,26 +51,6 @@ glm::u8vec3 colour_of_mark(Mark mark) {
     return mark == Mark::ignored ? kIgnoredColour.rgb : kPaper.rgb;
 }
 
-/// The most important pixel of each factor x factor block; `matters_more(a, b)` says a beats b, and
-/// 0 matters least.
-template <class T, class Order>
-core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_more) {
-    assert(factor >= 1);
-    static_assert(sizeof(T) == 1);
-    const auto shrunk = [factor](int size) { return (size + factor - 1) / factor; };
-    core::Image<T> small(shrunk(image.width_px()), shrunk(image.height_px()));
-    for (int y = 0; y < image.height_px(); ++y) {
-        const T* const from = image.row(y);
-        T* const to = small.row(y / factor);
-        const auto* const bytes = reinterpret_cast<const std::uint8_t*>(from);
-        edge::visit_set_pixels(bytes, image.width_px(), [&](int x) {
-            T& most = to[x / factor];
-            if (matters_more(from[x], most)) most = from[x];
-        });
-    }
-    return small;
-}
-
 }  // namespace
 
 RgbImage error_image(const Marks& marks) {
@@ -81,17 +60,6 @@ RgbImage error_image(const Marks& marks) {
 RgbImage truth_image(const core::Image<std::uint8_t>& labels) {
     return core::mapped<glm::u8vec3>(
         labels, [](std::uint8_t label) { return colour_of(static_cast<LineClass>(label)).rgb; });
-}
-
-Marks shrink(const Marks& image, int factor) {
-    return shrink_by(image, factor, [](Mark a, Mark b) { return a > b; });
-}
-
-core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int factor) {
-    // 0, "nothing", is the lowest number but matters least.
-    const auto rank = [](std::uint8_t label) { return label == 0 ? 256 : int{label}; };
-    return shrink_by(
-        labels, factor, [&](std::uint8_t a, std::uint8_t b) { return rank(a) < rank(b); });
 }
 
 ErrorMarker::ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options) {

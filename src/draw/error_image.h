@@ -81,10 +81,4 @@ class ErrorMarker {
 /// A truth image in colour, each class in its own (palette.h).
 [[nodiscard]] RgbImage truth_image(const core::Image<std::uint8_t>& labels);
 
-/// `image` at 1/factor of its size (rounded up): each pixel is the one of its block that matters
-/// most, so that thin lines and rare errors survive, unlike in a mean. Marks: the later one in the
-/// enum. Labels: the lower class, `ignore` last.
-[[nodiscard]] Marks shrink(const Marks& image, int factor);
-[[nodiscard]] core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int factor);
-
 }  // namespace ink::draw

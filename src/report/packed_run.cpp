@@ -1,6 +1,7 @@
 #include "report/packed_run.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,8 @@
 
 namespace ink::report {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kExactDigits = 15;
 
@@ -72,30 +75,11 @@ std::string png_of(const Codes& codes) {
 /// Views whose images are in memory at a time, about 100 MB each.
 constexpr std::size_t kViewsAtOnce = 4;
 
-/// By how much images may be shrunk, the first choice first.
-constexpr std::array kFactors = {1, 2, 4, 8};
-
-/// Something at each of kFactors; empty where nobody wants that.
-using AtFactors = std::array<std::string, kFactors.size()>;
-
-Codes codes_of(const draw::Marks& marks) {
-    return core::mapped<std::uint8_t>(
-        marks, [](draw::Mark mark) { return static_cast<std::uint8_t>(mark); });
-}
-
-/// The PNGs of an image, from the factor of index `first` on.
-template <class Picture, class CodesOf>
-AtFactors pngs_of(Picture picture, std::size_t first, CodesOf codes_of_picture) {
-    AtFactors pngs;
-    int factor = 1;
-    for (std::size_t f = first; f < kFactors.size(); ++f) {
-        // What matters most of blocks matters most of the block that they make.
-        if (kFactors[f] > factor) picture = draw::shrink(picture, kFactors[f] / factor);
-        factor = kFactors[f];
-        pngs[f] = png_of(codes_of_picture(picture));
-    }
-    return pngs;
-}
+/// A view's images as JSON, and what says of them which method drew which.
+struct PackedView {
+    std::string head;    ///< members "width", "height" and "methods"
+    std::string images;  ///< members "truth", "images" and "inks"
+};
 
 /// The methods of a run that draw ink.
 std::set<std::string> ink_methods(const experiment::RunData& run) {
@@ -111,49 +95,33 @@ std::set<std::string> ink_methods(const experiment::RunData& run) {
     return names;
 }
 
-/// A view's entry: its key, and its images as JSON; from the factor of index `first` on.
-AtFactors packed_view(const harness::ShownView& view,
-                      const std::set<std::string>& ink_methods,
-                      std::size_t first) {
+PackedView packed_view(const harness::ShownView& view, const std::set<std::string>& ink_methods) {
     const draw::ErrorMarker marker(view.labels, {});
     std::vector<std::string> inks(view.images.size(), "null");
-    if (kFactors[first] == 1) {
-        for (const auto& [method, image] : view.image_of) {
-            if (ink_methods.contains(method))
-                inks[image] = fmt::format("\"{}\"", png_of(view.images[image].edge_response));
-        }
+    for (const auto& [method, image] : view.image_of) {
+        if (ink_methods.contains(method))
+            inks[image] = fmt::format("\"{}\"", png_of(view.images[image].edge_response));
     }
-    std::vector<AtFactors> pngs(view.images.size() + 1);
+    std::vector<std::string> pngs(view.images.size());
     core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
-        if (i == 0) {
-            pngs[i] = pngs_of(
-                view.labels, first, [](const Codes& labels) -> const Codes& { return labels; });
-            return;
-        }
-        const harness::MethodImage& image = view.images[i - 1];
-        draw::Marks marks =
+        const harness::MethodImage& image = view.images[i];
+        const draw::Marks marks =
             marker.mark(image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
-        pngs[i] = pngs_of(std::move(marks), first, codes_of);
+        pngs[i] = fmt::format("\"{}\"", png_of(core::mapped<std::uint8_t>(marks, [](draw::Mark m) {
+                                  return static_cast<std::uint8_t>(m);
+                              })));
     });
     std::vector<std::string> methods;
     for (const auto& [method, image] : view.image_of)
         methods.push_back(fmt::format("{}:{}", json_text(method), image));
-    AtFactors packed;
-    for (std::size_t f = first; f < kFactors.size(); ++f) {
-        std::vector<std::string> images;
-        for (std::size_t i = 1; i < pngs.size(); ++i)
-            images.push_back(fmt::format("\"{}\"", pngs[i][f]));
-        packed[f] = fmt::format(
-            R"({}:{{"width":{},"height":{},"truth":"{}","images":{},"inks":{},"methods":{{{}}}}})",
-            json_text(view.scene + "\n" + view.view),
-            view.labels.width_px(),
-            view.labels.height_px(),
-            pngs[0][f],
-            json_array(images),
-            kFactors[f] == 1 ? json_array(inks) : "[]",
-            fmt::join(methods, ","));
-    }
-    return packed;
+    return {fmt::format(R"("width":{},"height":{},"methods":{{{}}})",
+                        view.labels.width_px(),
+                        view.labels.height_px(),
+                        fmt::join(methods, ",")),
+            fmt::format(R"("truth":"{}","images":{},"inks":{})",
+                        png_of(view.labels),
+                        json_array(pngs),
+                        json_array(inks))};
 }
 
 /// One view of a run, of which the run folder may hold images.
@@ -163,7 +131,7 @@ struct ViewPlace {
 };
 
 /// The views of all runs: the first of every scene, then the second of every scene, and so on.
-/// What comes late is left out first.
+/// What comes late has no room first.
 std::vector<ViewPlace> view_places(const std::vector<experiment::RunData>& runs) {
     std::vector<std::pair<int, ViewPlace>> places;
     for (std::size_t run = 0; run < runs.size(); ++run) {
@@ -183,19 +151,6 @@ std::vector<ViewPlace> view_places(const std::vector<experiment::RunData>& runs)
         ordered.push_back(std::move(place));
     return ordered;
 }
-
-/// The images of all views at one factor, as far as they are within the budget.
-struct Packed {
-    std::vector<std::string> of_run;
-    std::size_t size_bytes = 0;  ///< with the first view that was too much
-
-    void add(std::size_t run, const std::string& view, std::size_t budget_bytes) {
-        if (size_bytes > budget_bytes) return;
-        size_bytes += view.size();
-        if (size_bytes > budget_bytes) return;
-        of_run[run] += (of_run[run].empty() ? "" : ",") + view;
-    }
-};
 
 }  // namespace
 
@@ -230,7 +185,7 @@ std::string packed_column(const std::vector<std::string>& fields) {
     return is_text ? text_column(fields) : json_array(values);
 }
 
-std::string packed_table(const core::CsvTable& table) {
+std::string packed_columns(const core::CsvTable& table) {
     std::vector<std::string> columns;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::vector<std::string> fields;
@@ -239,40 +194,65 @@ std::string packed_table(const core::CsvTable& table) {
             fields.push_back(core::unquoted(record[i]));
         columns.push_back(json_text(table.columns[i]) + ":" + packed_column(fields));
     }
-    return fmt::format(
-        "{{\"lines\":{},\"columns\":{{{}}}}}", table.records.size(), fmt::join(columns, ","));
+    return fmt::format("{{{}}}", fmt::join(columns, ","));
 }
 
-std::string packed_images(const std::vector<experiment::RunData>& runs, std::size_t budget_bytes) {
-    std::array<Packed, kFactors.size()> packed;
-    packed.fill({std::vector<std::string>(runs.size())});
+std::string packed_table(const core::CsvTable& table) {
+    const std::string columns = packed_columns(table);
+    uLongf size = compressBound(columns.size());
+    std::vector<Bytef> packed(size);
+    compress(packed.data(),
+             &size,
+             reinterpret_cast<const Bytef*>(columns.data()),  // NOLINT
+             columns.size());
+    return fmt::format(R"({{"lines":{},"columns":"{}"}})",
+                       table.records.size(),
+                       core::base64(std::as_bytes(std::span(packed).first(size))));
+}
+
+PackedImages packed_images(const std::vector<experiment::RunData>& runs,
+                           const fs::path& page_folder,
+                           std::size_t budget_bytes) {
+    PackedImages packed;
+    std::vector<std::string> of_run(runs.size());
     std::vector<std::set<std::string>> inks_of_run;
     for (const experiment::RunData& run : runs)
         inks_of_run.push_back(ink_methods(run));
-    // Each image is read and marked once: what is too much at one factor is there at the next.
-    std::size_t first = 0;
     const std::vector<ViewPlace> places = view_places(runs);
     for (std::size_t at = 0; at < places.size(); at += kViewsAtOnce) {
         const std::size_t count = std::min(kViewsAtOnce, places.size() - at);
-        std::array<AtFactors, kViewsAtOnce> views;
+        std::array<PackedView, kViewsAtOnce> views;
         core::parallel_for(count, core::hardware_threads(), [&](std::size_t i) {
             const ViewPlace& place = places[at + i];
             const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
-            if (view) views[i] = packed_view(*view, inks_of_run[place.run], first);
+            if (view) views[i] = packed_view(*view, inks_of_run[place.run]);
         });
         for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t f = first; f < kFactors.size(); ++f)
-                if (!views[i][f].empty())
-                    packed[f].add(places[at + i].run, views[i][f], budget_bytes);
+            auto& [head, images] = views[i];
+            if (head.empty()) continue;
+            const auto& [run, rows] = places[at + i];
+            const auto& [scene, view] = std::pair(rows.front().scene, rows.front().view);
+            if (images.size() <= budget_bytes) {
+                budget_bytes -= images.size();
+            } else {
+                const fs::path file =
+                    runs[run].folder / harness::image_folder(scene, view) / "page.js";
+                packed.beside[file] =
+                    fmt::format("document.currentScript.images={{{}}};\n", images);
+                images = fmt::format(R"("beside":{})",
+                                     json_text(fs::relative(file, page_folder).generic_string()));
+            }
+            of_run[run] += fmt::format("{}{}:{{{},{}}}",
+                                       of_run[run].empty() ? "" : ",",
+                                       json_text(scene + "\n" + view),
+                                       head,
+                                       images);
         }
-        while (first + 1 < kFactors.size() && packed[first].size_bytes > budget_bytes)
-            packed[first++] = {};
-        if (packed[first].size_bytes > budget_bytes) break;
     }
-    std::string text;
-    for (const std::string& views : packed[first].of_run)
-        text += fmt::format("{}{{{}}}", text.empty() ? "" : ",", views);
-    return "[" + text + "]";
+    for (std::string& views : of_run)
+        views = fmt::format("{{{}}}", views);
+    packed.json = json_array(of_run);
+    return packed;
 }
 
 }  // namespace ink::report

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,18 +24,28 @@ namespace ink::report {
 /// 15 digits, which JavaScript would round.
 [[nodiscard]] std::string packed_column(const std::vector<std::string>& fields);
 
-/// A CSV table as JSON: {"lines": count, "columns": {name: packed}}.
+/// The columns of a CSV table as JSON: {name: packed}.
+[[nodiscard]] std::string packed_columns(const core::CsvTable& table);
+
+/// A CSV table as JSON: {"lines": count, "columns": packed_columns() in zlib's format, by base64}.
 [[nodiscard]] std::string packed_table(const core::CsvTable& table);
 
-/// The images of each run as JSON, as page/images.js reads them: an array with an object per run,
-/// from "scene\nview" to {"width", "height", "truth": PNG, "images": [PNG], "inks": [PNG or null],
-/// "methods": {name: index}}; PNGs are base64 of 8-bit grey with a code a pixel (draw::Mark;
-/// truth::LineClass for the truth), and of images of ink also with the ink.
-///
-/// Where they would take more than `budget_bytes`, all are shrunk by 2, 4, then 8 (errors and lines
-/// win over paper), without ink; where even that is too much, the last views of each scene are left
-/// out, and then the last scenes. Throws core::Error for an image that cannot be read.
-[[nodiscard]] std::string packed_images(const std::vector<experiment::RunData>& runs,
-                                        std::size_t budget_bytes);
+/// The images of runs for a page, as page/images.js reads them.
+struct PackedImages {
+    /// An array with an object per run, from "scene\nview" to {"width", "height", "truth": PNG,
+    /// "images": [PNG], "inks": [PNG or null], "methods": {name: index}}; PNGs are base64 of 8-bit
+    /// grey with a code a pixel (draw::Mark; truth::LineClass for the truth), and of what draws ink
+    /// its share, too. {"width", "height", "methods", "beside": address of a script} where truth,
+    /// images and inks lie beside the page.
+    std::string json;
+    std::map<std::filesystem::path, std::string> beside;  ///< these scripts, in the runs' folders
+};
+
+/// Images stay in the page, which is to lie in `page_folder`, as long as they are within
+/// `budget_bytes`: the first views of all scenes before any second one. Throws core::Error for an
+/// image that cannot be read.
+[[nodiscard]] PackedImages packed_images(const std::vector<experiment::RunData>& runs,
+                                         const std::filesystem::path& page_folder,
+                                         std::size_t budget_bytes);
 
 }  // namespace ink::report

@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The page stays under 20 MB; tables and scripts take the rest.
-constexpr std::size_t kImageBudget_bytes = 16'000'000;
+// The catalogue's page stays under 12 MB; tables and scripts take the rest.
+constexpr std::size_t kImageBudget_bytes = 7'000'000;
 
 std::string json_texts(const std::vector<std::string>& texts) {
     std::vector<std::string> quoted;
@@ -216,13 +216,14 @@ std::string title_of(const std::vector<std::string>& labels) {
 
 }  // namespace
 
-std::string run_page(const std::vector<experiment::RunData>& runs, fs::path page_folder) {
+RunPage run_page(const std::vector<experiment::RunData>& runs, fs::path page_folder) {
     if (page_folder.empty()) page_folder = runs.front().folder;
     const std::vector<std::string> labels = labels_of(runs);
     std::vector<std::string> packed;
     for (std::size_t i = 0; i < runs.size(); ++i)
         packed.push_back(run_json(runs[i], labels[i], page_folder));
-    return filled(
+    PackedImages images = packed_images(runs, page_folder, kImageBudget_bytes);
+    std::string html = filled(
         page_files().index,
         {{"title", core::escape(title_of(labels))},
          {"style", std::string(page_files().style)},
@@ -235,11 +236,15 @@ std::string run_page(const std::vector<experiment::RunData>& runs, fs::path page
                       column_docs(runs),
                       diffs_json(runs),
                       fmt::join(packed, ","))},
-         {"images", packed_images(runs, kImageBudget_bytes)}});
+         {"images", images.json}});
+    return {std::move(html), std::move(images.beside)};
 }
 
 void write_run_page(const std::vector<experiment::RunData>& runs, const fs::path& file) {
-    core::write_whole_file(file, run_page(runs, fs::absolute(file).parent_path()));
+    const RunPage page = run_page(runs, fs::absolute(file).parent_path());
+    for (const auto& [path, script] : page.beside)
+        core::write_whole_file(path, script);
+    core::write_whole_file(file, page.html);
 }
 
 }  // namespace ink::report

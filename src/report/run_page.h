@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,18 +9,24 @@
 
 namespace ink::report {
 
-/// The page of `runs`, one at least: a single HTML file that needs no other and no
-/// network. Several runs stand beside each other.
+/// A page, and what is too much for it.
+struct RunPage {
+    std::string html;
+    std::map<std::filesystem::path, std::string> beside;  ///< scripts with images, in runs' folders
+};
+
+/// The page of `runs`, one at least: an HTML file that needs no network, and no other file but for
+/// images that are too many for it. Several runs stand beside each other.
 ///
 /// What it shows is drawn by its own scripts (page/) from the runs' tables and images, which it
 /// holds as JSON. Live pages that lie in a run's folder (live_page_path) are linked to, from a page
-/// in `page_folder`; "": the first run's. Images are shrunk, then left out for the last views,
-/// where the page would be larger than 20 MB. Throws core::Error (where = the file) for images that
+/// in `page_folder`; "": the first run's. Throws core::Error (where = the file) for images that
 /// cannot be read.
-[[nodiscard]] std::string run_page(const std::vector<experiment::RunData>& runs,
-                                   std::filesystem::path page_folder = {});
+[[nodiscard]] RunPage run_page(const std::vector<experiment::RunData>& runs,
+                               std::filesystem::path page_folder = {});
 
-/// Writes run_page() to `file`, whole or not at all. Throws core::Error if it cannot be written.
+/// Writes run_page() to `file`, and what lies beside it, each whole or not at all. Throws
+/// core::Error if one cannot be written.
 void write_run_page(const std::vector<experiment::RunData>& runs,
                     const std::filesystem::path& file);
 

@@ -136,14 +136,5 @@ TEST(TruthImage, HasAColourPerClass) {
     }
 }
 
-TEST(Shrink, KeepsWhatMattersMost) {
-    Marks marks(3, 2, Mark::hit);
-    marks.at(1, 1) = mark_of(score::Cause::cancelled);
-    marks.at(2, 0) = Mark::paper;
-    EXPECT_EQ(letters(shrink(marks, 2)), (Letters{"mh"}));
-    EXPECT_EQ(shrink(image_of({"7300", "0500"}), 2), image_of({"30"}));
-    EXPECT_EQ(shrink(image_of({"7300"}), 1), image_of({"7300"}));
-}
-
 }  // namespace
 }  // namespace ink::draw

@@ -246,6 +246,40 @@ class PageTest(BrowserTest):
             ink = 2 * (of("matched") + of("misplaced")) + of("surplus") + of("missing")
             self.assertAlmostEqual(value, 2 * of("matched") / ink, places=12)
 
+    CODES = """
+        const [done] = arguments;
+        Promise.all(viewsWithImages(currentView()).flatMap(({scene, view}) => ['truth', 'mote4'].map(async name =>
+            [scene, name, (await viewImages.codes(runs[0], scene, view, name)).codes.join('')]))).then(done)"""
+
+    def part_images(self):
+        """A copy of a run in which all views' images but the first's lie beside the page, as the program
+        has it where they are too many."""
+        run = self.folder / "parted"
+        shutil.copytree(self.folder / "before", run)
+        begin, rest = (run / "report.html").read_text().split('<script type="application/json" id="images">')
+        text, end = rest.split("</script>", 1)
+        packed = json.loads(text)
+        for key, view in list(packed[0].items())[1:]:
+            view["beside"] = f"images/{key.replace(chr(10), '/')}/page.js"
+            images = {name: view.pop(name) for name in ("truth", "images", "inks")}
+            (run / view["beside"]).write_text(f"document.currentScript.images={json.dumps(images)};\n")
+        (run / "report.html").write_text(f'{begin}<script type="application/json" id="images">{json.dumps(packed)}</script>{end}')
+        return run
+
+    def test_images_beside_the_page_are_those_within_and_may_be_missing(self):
+        self.open()
+        within = self.browser.execute_async_script(self.CODES)
+        self.assertEqual(len(within), 6)
+        run = self.part_images()
+        self.open(run / "report.html")
+        self.assertEqual(self.browser.execute_async_script(self.CODES), within)
+        self.assertIn("for the images of 2 views the folder images of its run", self.find("footer").text)
+        self.harmless = ("page.js",)
+        self.open(shutil.copy(run / "report.html", self.folder / "alone.html"), "#scene=torus", part="pictures")
+        self.wait(lambda: "The images of 2 views are in the folder images of the run" in self.find("#pictures").text)
+        self.wait(lambda: "cube" in (self.find("canvas.stage").get_attribute("data-drawn") or ""))
+        self.assertEqual(self.browser.execute_async_script(self.CODES), within[:2])
+
     def test_page_needs_no_network(self):
         text = (self.folder / "before" / "report.html").read_text()
         self.open()

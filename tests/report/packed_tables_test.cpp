@@ -43,11 +43,11 @@ TEST(PackedColumn, CodesThatJavaScriptWouldRoundOrRefuseAreTexts) {
 }
 
 TEST(PackedTable, IsJsonWithAColumnEach) {
-    const auto table = nlohmann::json::parse(
-        packed_table(core::split_csv("method,f\n\"a,b\",0.5\nids,\n", "rows.csv")));
-    EXPECT_EQ(table["lines"], 2);
-    EXPECT_EQ(table["columns"]["method"]["words"], (std::vector<std::string>{"a,b", "ids"}));
-    EXPECT_EQ(table["columns"]["f"], nlohmann::json::parse("[0.5,null]"));
+    const core::CsvTable table = core::split_csv("method,f\n\"a,b\",0.5\nids,\n", "rows.csv");
+    const auto columns = nlohmann::json::parse(packed_columns(table));
+    EXPECT_EQ(columns["method"]["words"], (std::vector<std::string>{"a,b", "ids"}));
+    EXPECT_EQ(columns["f"], nlohmann::json::parse("[0.5,null]"));
+    EXPECT_EQ(nlohmann::json::parse(packed_table(table))["lines"], 2);
 }
 
 }  // namespace

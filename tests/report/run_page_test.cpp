@@ -1,5 +1,6 @@
 #include "report/run_page.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -66,7 +67,7 @@ class RunPage : public testing::Test {
 };
 
 TEST_F(RunPage, IsOneFileThatAsksForNothing) {
-    const std::string page = run_page({run_});
+    const std::string page = run_page({run_}).html;
     EXPECT_THAT(page, testing::StartsWith("<!doctype html>"));
     EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
     EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
@@ -74,18 +75,18 @@ TEST_F(RunPage, IsOneFileThatAsksForNothing) {
 }
 
 TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
-    const std::string page = run_page({run_});
+    const std::string page = run_page({run_}).html;
     EXPECT_THAT(page, HasSubstr("inkbench compare \\u003c/script>"));
     const fs::path odd = folder_ / "<b>";
     fs::create_directories(odd);
     fs::copy(folder_ / "run.toml", odd / "run.toml");
-    EXPECT_THAT(run_page({experiment::read_run(odd)}),
+    EXPECT_THAT(run_page({experiment::read_run(odd)}).html,
                 HasSubstr("<title>Inkbench: &lt;b&gt;</title>"));
 }
 
 TEST_F(RunPage, SaysWhatTheVerdictSaysAndHowRunsDiffer) {
     run_.comparison = summary::compare_methods(run_.tables.rows);
-    const std::string page = run_page({run_, run_});
+    const std::string page = run_page({run_, run_}).html;
     EXPECT_THAT(page,
                 HasSubstr(R"("words":{"first":"mote4: F 0.800 in 2.00 ms, the only method",)"));
     EXPECT_THAT(page, HasSubstr(R"("summary.csv":{"lines":1,)")) << "which its folder lacks";
@@ -98,17 +99,18 @@ TEST_F(RunPage, AFileThatCannotBeWrittenIsAnError) {
 }
 
 TEST_F(RunPage, LinksToTheLivePagesOfTheRunsFolder) {
-    EXPECT_THAT(run_page({run_}), HasSubstr(R"("live":{})"));
+    EXPECT_THAT(run_page({run_}).html, HasSubstr(R"("live":{})"));
     const fs::path live = folder_ / live_page_path("cube");
     fs::create_directories(live.parent_path());
     std::ofstream(live) << "<!doctype html>";
-    EXPECT_THAT(run_page({run_}), HasSubstr(R"("live":{"cube":"live/cube.html"})"));
+    EXPECT_THAT(run_page({run_}).html, HasSubstr(R"("live":{"cube":"live/cube.html"})"));
     fs::create_directories(folder_ / "elsewhere");
-    EXPECT_THAT(run_page({run_}, folder_ / "elsewhere"), HasSubstr(R"("../live/cube.html")"));
+    EXPECT_THAT(run_page({run_}, folder_ / "elsewhere").html, HasSubstr(R"("../live/cube.html")"));
 }
 
 TEST_F(RunPage, HoldsTheImagesOfEveryView) {
-    const auto images = nlohmann::json::parse(packed_images({run_}, 1'000'000));
+    const auto images =
+        nlohmann::json::parse(packed_images({run_}, folder_.path(), 1'000'000).json);
     ASSERT_EQ(images.size(), 1U);
     EXPECT_EQ(images[0].size(), 2U);
     const auto& view = images[0]["cube\nfront"];
@@ -123,25 +125,41 @@ TEST_F(RunPage, HoldsTheInkOfMethodsThatDrawIt) {
     const auto ink_of = [this](const char* is_ink) {
         run_.csv = experiment::split_tables(
             {{"methods.csv", std::string("method,ink\nmote4,") + is_ink + "\n"}}, run_.folder);
-        const auto images = nlohmann::json::parse(packed_images({run_}, 1'000'000));
+        const auto images =
+            nlohmann::json::parse(packed_images({run_}, folder_.path(), 1'000'000).json);
         return images[0]["cube\nfront"]["inks"].at(0);
     };
     EXPECT_TRUE(ink_of("false").is_null());
     EXPECT_THAT(ink_of("true").get<std::string>(), testing::StartsWith("iVBORw0KGgo"));
 }
 
-TEST_F(RunPage, ImagesStayInTheirBudget) {
-    const std::size_t whole = packed_images({run_}, 1'000'000).size();
-    const std::string shrunk = packed_images({run_}, whole / 2);
-    EXPECT_LT(shrunk.size(), whole);
-    EXPECT_EQ(nlohmann::json::parse(shrunk)[0].size(), 2U) << "shrunk, not left out";
-    EXPECT_EQ(nlohmann::json::parse(packed_images({run_}, 400))[0].size(), 0U);
+TEST_F(RunPage, ImagesThatAreTooManyLieBesideThePage) {
+    const PackedImages whole = packed_images({run_}, folder_.path(), 1'000'000);
+    EXPECT_TRUE(whole.beside.empty());
+    const PackedImages parted =
+        packed_images({run_}, folder_ / "elsewhere", whole.json.size() * 3 / 4);
+    const auto views = nlohmann::json::parse(parted.json)[0];
+    EXPECT_TRUE(views["cube\nfront"].contains("truth")) << "the first view has room first";
+    EXPECT_EQ(views["cube\nside"],
+              nlohmann::json::parse(R"({"width":160,"height":90,"methods":{"mote4":0},)"
+                                    R"("beside":"../images/cube/side/page.js"})"));
+    ASSERT_EQ(parted.beside.size(), 1U);
+    const auto& [file, script] = *parted.beside.begin();
+    EXPECT_EQ(file, folder_ / "images/cube/side/page.js");
+    const auto all = nlohmann::json::parse(whole.json)[0]["cube\nside"];
+    EXPECT_EQ(
+        script,
+        fmt::format("document.currentScript.images={{\"truth\":{},\"images\":{},\"inks\":{}}};\n",
+                    all["truth"].dump(),
+                    all["images"].dump(),
+                    all["inks"].dump()));
 }
 
 TEST_F(RunPage, ARunOfAnotherSizeHasNoImagesOfItsOwn) {
     for (harness::Row& row : run_.tables.rows)
         row.width = 320;
-    const auto images = nlohmann::json::parse(packed_images({run_}, 1'000'000));
+    const auto images =
+        nlohmann::json::parse(packed_images({run_}, folder_.path(), 1'000'000).json);
     EXPECT_TRUE(images[0]["cube\nfront"]["methods"].empty());
 }
 

@@ -14,7 +14,6 @@ const card = {
 /// Lets `node` answer the pointer with the images of `rows` (of one run), the worst first. `facts`
 /// are lines of text that the card shows below.
 function answerPointer(node, rows, facts = []) {
-    const shown = sortedByErrors(rows);
     const target = node.node ? node.node() : node;
     target.classList.add('answers');
     target.setAttribute('tabindex', '0');
@@ -23,12 +22,12 @@ function answerPointer(node, rows, facts = []) {
         const name = rows[0].method;
         target.setAttribute('aria-label', (facts[0].startsWith(name) ? facts : [name, ...facts]).join(', '));
     }
-    answerHover(target, shown, facts);
+    answerHover(target, rows, facts);
     const pin = event => {
         event.stopPropagation();
         event.preventDefault(); // or the key presses what has the focus next: the card's own button
         const box = target.getBoundingClientRect();
-        showCard(target, shown, facts, {clientX: event.clientX || box.right, clientY: event.clientY || box.top});
+        showCard(target, rows, facts, {clientX: event.clientX || box.right, clientY: event.clientY || box.top});
         pinCard();
     };
     target.addEventListener('click', pin);
@@ -62,11 +61,11 @@ function runOf(row) {
     return runs[row.run ?? state.get('run')] || runs[0];
 }
 
-/// Shows the card of `rows`; unless it is pinned, as long as `target` stands on the page.
+/// Shows the card of `rows`, the worst first; unless it is pinned, as long as `target` stands on the page.
 function showCard(target, rows, facts, {clientX, clientY}) {
     card.target = target;
     whenGone(target, hideLostCard);
-    card.rows = rows;
+    card.rows = sortedByErrors(rows);
     card.facts = facts;
     card.at = 0;
     if (!card.node) {
@@ -188,6 +187,6 @@ async function drawCardImage() {
     const box = card.node.getBoundingClientRect();
     if (box.bottom > innerHeight) moveCard(box.left, box.top, 0);
     card.words.textContent = !isDrawn
-        ? 'The run folder has no image of this view (--images all keeps every view’s).'
+        ? viewImages.missingWords()
         : card.isPinned ? (what === 'truth' ? 'the truth' : 'the method, errors in colour') : '';
 }

@@ -9,8 +9,44 @@ const FIRST_MISSING = FIRST_WRONG + CAUSES.findIndex(cause => cause.kind === 'fa
 
 class ViewImages {
     constructor(packed) {
-        this.packed = packed; // per run: {"scene\nview": {width, height, truth, images, inks, methods}}
+        this.packed = packed; // per run: {"scene\nview": {width, height, methods, truth, images, inks}}, or beside: the script with the last three
         this.decoded = new Map();
+        this.lostViews = 0;
+    }
+
+    /// What the page needs beside itself.
+    placeWords() {
+        const beside = this.packed.flatMap(Object.values).filter(entry => entry.beside).length;
+        return `This page needs no network, and ${beside ? `for the images of ${count(beside, 'view')} the folder images of its run` : 'no other file'}.`;
+    }
+
+    /// The truth and the images of a view's entry; of one beside the page they are loaded, by a script:
+    /// a page that is a file may read no pixels of other files. null where the script is missing.
+    load(entry) {
+        if (!entry.beside) return entry;
+        entry.loaded ??= new Promise(resolve => {
+            const script = element('script', {src: encodeURI(entry.beside).replace(/[#?]/g, encodeURIComponent),
+                onload: () => resolve(script.images), onerror: () => resolve(null)});
+            document.head.append(script);
+        });
+        return entry.loaded;
+    }
+
+    /// Why there is no image of a view.
+    missingWords() {
+        return this.lostViews ? `The images of ${count(this.lostViews, 'view')} are in the folder images of the run, which is not beside this page.`
+            : 'The run folder has no image of this view (--images all keeps every view’s).';
+    }
+
+    /// Leaves the page the images that it holds: what lies beside it elsewhere is not here.
+    loseBeside() {
+        for (const ofRun of this.packed) {
+            for (const [key, entry] of Object.entries(ofRun).filter(([, entry]) => entry.beside)) {
+                delete ofRun[key];
+                ++this.lostViews;
+            }
+        }
+        redraw(['look']);
     }
 
     /// What there is of a view of a run; null if the run folder has no images of it.
@@ -26,17 +62,19 @@ class ViewImages {
 
     /// The codes of a truth ('truth') or of a method's image: a promise of {width, height, codes,
     /// isTruth, ink}, or of null.
-    codes(run, scene, view, method) {
+    async codes(run, scene, view, method) {
         const entry = this.entry(run, scene, view);
-        if (!entry) return Promise.resolve(null);
+        if (!entry) return null;
         const isTruth = method === 'truth' || method === 'oracle';
+        const loaded = await this.load(entry);
+        if (!loaded && this.entry(run, scene, view)) this.loseBeside();
         const index = entry.methods[method];
-        const data = isTruth ? entry.truth : entry.images[index];
-        if (!data) return Promise.resolve(null);
+        const data = loaded && (isTruth ? loaded.truth : loaded.images[index]);
+        if (!data) return null;
         const key = [run.index, scene, view, isTruth ? 'truth' : method].join('\n');
         if (!this.decoded.has(key)) {
             if (this.decoded.size > 80) this.decoded.delete(this.decoded.keys().next().value);
-            this.decoded.set(key, decodeCodes(data, isTruth, !isTruth && entry.inks[index]));
+            this.decoded.set(key, decodeCodes(data, isTruth, !isTruth && loaded.inks[index]));
         }
         return this.decoded.get(key);
     }

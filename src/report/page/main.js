@@ -120,7 +120,8 @@ function applyTheme() {
     document.documentElement.className = isDark ? 'dark-theme' : 'light-theme';
 }
 
-function start() {
+async function start() {
+    await inflateTables(PACKED.runs);
     runs = PACKED.runs.map((run, index) => new Run(run, index));
     viewImages = new ViewImages(JSON.parse(document.getElementById('images').textContent));
     window.columnDocs = PACKED.columns;
@@ -136,7 +137,7 @@ function start() {
     });
     window.addEventListener('beforeprint', openForPaper);
     window.addEventListener('afterprint', closeAfterPaper);
-    document.querySelector('footer').append(`Made by inkbench ${PACKED.version}. This page needs no other file and no network. `,
+    document.querySelector('footer').append(`Made by inkbench ${PACKED.version}. ${viewImages.placeWords()} `,
         element('button', {type: 'button', class: 'quiet', onclick: printAll}, 'Print with all pictures'));
     document.documentElement.dataset.ready = '1';
 }

@@ -167,7 +167,7 @@ function answerNearest(plot, layer, spots, width, height) {
             if (!spot || !hasImages(spot.point.rows)) return;
             d3.event.stopPropagation();
             hideTip();
-            showCard(sheet.node(), sortedByErrors(spot.point.rows), [spot.point.text].flat(), d3.event);
+            showCard(sheet.node(), spot.point.rows, [spot.point.text].flat(), d3.event);
             pinCard();
         });
 }

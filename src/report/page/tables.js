@@ -1,7 +1,16 @@
 // Tables of a run folder, as the program packed them into the page.
 //
-// A packed column is an array; {constant: value}, the same value on every line; or
-// {words: [...], at: [...]}, texts that repeat. An empty field is null, infinity the text 'inf'.
+// A table's columns are one text in zlib's format, by base64. A packed column is an array; {constant:
+// value}, the same value on every line; or {words: [...], at: [...]}, texts that repeat. An empty
+// field is null, infinity the text 'inf'.
+
+/// Unpacks the columns of all tables of the runs, which then are JSON.
+function inflateTables(packedRuns) {
+    return Promise.all(packedRuns.flatMap(run => Object.values(run.tables)).map(async table => {
+        const {body} = await fetch(`data:;base64,${table.columns}`);
+        table.columns = await new Response(body.pipeThrough(new DecompressionStream('deflate'))).text();
+    }));
+}
 
 /// The values of a packed column, one a line.
 function unpackColumn(packed, lineCount) {
@@ -15,9 +24,16 @@ class Table {
     constructor(name, packed) {
         this.name = name;
         this.lineCount = packed ? packed.lines : 0;
-        this.packed = packed ? packed.columns : {};
+        this.json = packed ? packed.columns : '{}';
         this.unpacked = {};
         this.madeLines = null;
+    }
+
+    /// The packed columns by name, read when they are first asked for.
+    get packed() {
+        this.read ??= JSON.parse(this.json);
+        this.json = null;
+        return this.read;
     }
 
     get names() {
@@ -42,11 +58,9 @@ class Table {
         if (this.madeLines) return this.madeLines;
         const names = this.names;
         const columns = names.map(name => this.column(name));
-        this.madeLines = Array.from({length: this.lineCount}, (_, line) => {
-            const made = {};
-            for (let i = 0; i < names.length; ++i) made[names[i]] = columns[i][line];
-            return made;
-        });
+        // Browsers keep an object of a hundred fields in a slow form unless one function names them all.
+        const Line = new Function('columns', 'line', names.map((name, i) => `this[${JSON.stringify(name)}] = columns[${i}][line]`).join(';'));
+        this.madeLines = Array.from({length: this.lineCount}, (_, line) => new Line(columns, line));
         return this.madeLines;
     }
 }

@@ -60,6 +60,7 @@ function viewsWithImages(shown) {
 
 function drawViewer(root, shown) {
     const choice = viewerChoice(shown);
+    if (viewImages.lostViews) root.append(element('p', {class: 'note'}, viewImages.missingWords()));
     if (!choice) {
         root.append(element('p', {class: 'note'},
             shown.run.rows.length ? 'The run folder holds no images of these views.' : 'This run has no images.'));
