@@ -21,6 +21,7 @@
 #include "cli/commands/commands.h"
 #include "cli/help_format.h"
 #include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "core/param.h"
 #include "core/provenance.h"
@@ -144,20 +145,39 @@ int finish(int code) {
     return refuse_output(errno == 0 ? "" : std::strerror(errno));
 }
 
-void check_subcommand(const CLI::App& app, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
+constexpr const char* kExamples =
+    "inkbench bunny.obj                     which method draws this model best\n"
+    "inkbench compare bunny.obj --quick     methods beside each other, as a page\n"
+    "inkbench draw bunny.obj -o bunny.png   its lines\n"
+    "inkbench page bunny.obj                its lines on your GPU, as a page\n"
+    "\n"
+    "inkbench --help names all commands, inkbench list scenes the models built in.\n";
+
+/// The words of a command line. A model or scene in place of a command asks for advice.
+std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty() || words[0].starts_with("-")) return words;
     const std::vector<std::string> names = command_names(app);
-    if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
-        throw core::Error(argv[1], "there is no such command", core::known_names(names, argv[1]));
-    }
+    if (std::ranges::count(names, words[0]) > 0) return words;
+    std::error_code ignored;
+    const bool is_scene = std::filesystem::is_regular_file(words[0], ignored) ||
+                          std::ranges::count(scene_words(), words[0]) > 0;
+    if (!is_scene)
+        throw core::Error(
+            words[0], "there is no such command or model", core::known_names(names, words[0]));
+    words.insert(words.begin(), "advise");
+    return words;
 }
 
 /// Does what the command line asks for and returns the exit code.
 int run(int argc, char** argv) {
     const auto app = make_program();
     try {
-        check_subcommand(*app, argc, argv);
-        app->parse(argc, argv);
+        std::vector<std::string> words = words_of(*app, argc, argv);
+        if (words.empty()) fmt::print("{}", kExamples);
+        if (words.empty()) return finish(0);
+        std::ranges::reverse(words);  // as the parser takes them
+        app->parse(std::move(words));
     } catch (const CLI::RuntimeError& stop) {
         return finish(stop.get_exit_code());
     } catch (const CLI::Success& help) {

@@ -91,8 +91,7 @@ TEST(BadModel, OneAmongGoodOnesCostsNoWork) {
 TEST(BadName, OfAnything) {
     expect_all_refused(Desk(),
                        {},
-                       {{{}, "command"},
-                        {"compair --out out", "compair"},
+                       {{"compair --out out", "compair"},
                         {"new-method Foo-Bar", {"inkbench: new-method: a method cannot be called"}},
                         {"list nonsense", "nonsense"},
                         {"compare --methods mote9 --out out", "mote4"},

@@ -89,6 +89,7 @@ struct Advice {
     experiment::Experiment asked;
     std::vector<harness::Row> rows;
     bool is_crowded = false;  ///< every view is: crowded pixels count
+    bool is_beyond = false;   ///< none is within the budget: the answer is the fastest
     summary::Comparison comparison = {};
     summary::Answer answer = {};  ///< of these
     std::string picture = {};
@@ -149,7 +150,10 @@ std::string missing_text(const Advice& advice) {
 std::string as_text(const Advice& advice) {
     const MethodSummary& use = *advice.answer.method;
     const MethodSummary* other = advice.answer.other();
-    const std::string alike = report::times_text(advice.answer, report::Markup::none);
+    const std::string alike = advice.is_beyond
+                                  ? fmt::format("the fastest, as none takes at most {:g} ms",
+                                                advice.asked.compare.answer.budget_ms)
+                                  : report::times_text(advice.answer, report::Markup::none);
     const bool is_ink = use.measure() == summary::Measure::soft_f;
     const score::CurveCount of_model = use.judged().counts_of_scene.begin()->second;
     return fmt::format(
@@ -196,6 +200,7 @@ Json as_json(const Advice& advice) {
     for (const MethodSummary* s : advice.answer.as_cheap)
         as_cheap.push_back(s->method);
     return {{"use", method_json(advice.answer.method)},
+            {"within_budget", !advice.is_beyond},
             {"as_cheap", std::move(as_cheap)},
             {"runner_up", method_json(advice.answer.other())},
             {"measure", summary::name(advice.answer.method->measure())},
@@ -234,10 +239,10 @@ std::vector<harness::Row> measure(const experiment::Plan& plan, const fs::path& 
 }
 
 /// The comparison of the two methods, on more views unless views were asked for.
-std::string next_command(const CLI::App& command,
-                         const summary::Answer& answer,
-                         const std::string& out) {
-    std::string line = recorded_command(command, {"--have", "--out", "--json"});
+std::string next_command(const CLI::App& command, const Advice& advice, const std::string& out) {
+    const summary::Answer& answer = advice.answer;
+    std::string line = recorded_command(
+        command, {"--have", "--out", "--json", advice.is_beyond ? "--budget-ms" : ""});
     line.replace(line.find("advise"), std::string("advise").size(), "compare");
     if (command.count("--views") + command.count("--eye") == 0) line += " --views 8";
     line += fmt::format(" --out {} --methods {}", out, answer.method->method);
@@ -260,6 +265,11 @@ void run_advise(AdviseArgs& args, const CLI::App& command) {
     if (advice.is_crowded) count_crowded(advice.rows);
     advice.comparison = {advice.asked.compare.answer, summary::summarise(advice.rows)};
     advice.answer = advice.comparison.answer();
+    if (advice.answer.method == nullptr && advice.answer.fastest != nullptr) {
+        advice.is_beyond = true;
+        advice.comparison.rule.budget_ms = *advice.answer.fastest->draw_ms;
+        advice.answer = advice.comparison.answer();
+    }
     if (advice.answer.method == nullptr) {
         fmt::print(
             stderr,
@@ -271,7 +281,7 @@ void run_advise(AdviseArgs& args, const CLI::App& command) {
     const std::string own = kFolder + ("/" + harness::file_name(advice.rows[0].scene));
     if (args.picture.empty()) fs::create_directories(kFolder);
     advice.picture = args.picture.empty() ? own + ".png" : args.picture;
-    advice.next = next_command(command, advice.answer, own);
+    advice.next = next_command(command, advice, own);
     write_picture(cache, advice);
     fmt::print("{}", args.json ? as_json(advice).dump(2) + "\n" : as_text(advice));
     const std::string busy = harness::uncertain_times(advice.rows);
@@ -303,11 +313,10 @@ void add_advise_command(CLI::App& app) {
     command->footer(
         "The answer is the cheapest method whose F is at most --f-margin below the best within "
         "--budget-ms; of those that take less than 1.3 times as long, the most exact. With "
-        "--coverage "
-        "methods that draw ink take part, and soft F decides.\n"
+        "--coverage methods that draw ink take part, and soft F decides.\n"
         "Example: inkbench advise bunny.obj --budget-ms 1 --size 1920x1080\n"
-        "Exit codes: 0 done, 1 no method has a score within the budget, 2 bad input, 130 "
-        "interrupted.");
+        "Beyond the budget it is the fastest.\n"
+        "Exit codes: 0 done, 1 no method has a score, 2 bad input, 130 interrupted.");
     command->callback([args, command] { run_advise(*args, *command); });
 }
 
