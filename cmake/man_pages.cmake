@@ -12,8 +12,11 @@ function(page name)
     execute_process(COMMAND ${ARGN} --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX MATCH "^[^\n]*" summary "${help}")
     string(REPLACE ";" " " command "${ARGN}")
+    if(ARGC GREATER 2)  # of a command all; of the program that would be all of all
+        set(whole --help-option=--help-all)
+    endif()
     execute_process(
-        COMMAND ${HELP2MAN} --no-info "--name=${summary}" --version-string=${VERSION} "${command}"
+        COMMAND ${HELP2MAN} --no-info ${whole} "--name=${summary}" --version-string=${VERSION} "${command}"
         OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
     string(TOUPPER ${name} heading)
     string(REGEX REPLACE "\n\\.TH [^\n]*" "\n.TH ${heading} \"1\" \"\" \"Inkbench ${VERSION}\" \"User Commands\"" text "${text}")
@@ -22,7 +25,6 @@ function(page name)
 endfunction()
 
 execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX REPLACE ".*\nSubcommands:\n" "" help "${help}")
 string(REGEX MATCHALL "(^|\n)  [a-z][a-z-]*  " lines "${help}")
 foreach(line ${lines})
     string(STRIP ${line} subcommand)

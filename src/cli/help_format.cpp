@@ -1,21 +1,57 @@
 #include "cli/help_format.h"
 
+#include <algorithm>
+#include <span>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace ink::cli {
 namespace {
 
 constexpr std::size_t kWidth = 80;
-constexpr std::size_t kLeft = 24;  // where descriptions begin
+constexpr std::size_t kLeft = 24;          // where descriptions of options begin
+constexpr std::size_t kLeftCommand = 16;   // and of commands
+constexpr std::ptrdiff_t kMostLines = 44;  // of options; what stands above and below takes a dozen
+
+/// A heading, and all that stands under it in whatever command.
+using Heading = std::pair<const char*, const char*>;
+constexpr Heading kOfCommands[] = {
+    {"Which method", "advise compare explain tune stress run"},
+    {"Lines of one model", "draw truth page bake export figures timedemo"},
+    {"Scores and runs", "score report diff merge"},
+    {"Methods of your own", "entrant-test new-method"},
+    {"Help", "list completions help"}};
+constexpr Heading kOfOptions[] = {
+    {"Camera",
+     "projection parallel fit margin object eye target up fov time frame animation seams"},
+    {"Methods", "set model-list preset entrant entrant-seconds antialias line-width no-skip"},
+    {"Truth",
+     "crease weld-epsilon intersections creases no-crosscheck polarity band ignore no-thin"},
+    {"Looks", "set-shade lights ink paper surface hand-drawn set-hand dither no-lines layer"},
+    {"Drawing for print", "hidden sheet-width sheet scale"},
+    {"Science", "seed coverage sweep-views no-sweep images scaling motion global no-random"},
+    {"Work", "shard force no-times lanes dry-run status threads repetitions cache no-cache"}};
+
+/// The heading that `name` stands under, or `otherwise`.
+std::string heading_of(std::span<const Heading> headings,
+                       const std::string& name,
+                       const std::string& otherwise) {
+    for (const auto& [heading, names] : headings)
+        if ((" " + std::string(names) + " ").find(" " + name + " ") != std::string::npos)
+            return heading;
+    return otherwise;
+}
 
 /// A name and what it means beside it, or below it if the name is long.
-std::string entry(const std::string& name, const std::string& meaning) {
+std::string entry(const std::string& name, const std::string& meaning, std::size_t left = kLeft) {
     std::string text = "  " + name;
     if (meaning.empty()) return text + "\n";
-    if (text.size() + 2 > kLeft) text += "\n" + std::string(kLeft, ' ');
+    if (text.size() + 2 > left) text += "\n" + std::string(left, ' ');
     const auto begin = text.find_last_of('\n') + 1;
-    text.resize(std::max(text.size(), begin + kLeft), ' ');
-    return text + wrapped(meaning, kWidth, kLeft) + "\n";
+    text.resize(std::max(text.size(), begin + left), ' ');
+    return text + wrapped(meaning, kWidth, left) + "\n";
 }
 
 }  // namespace
@@ -44,6 +80,17 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
     return result;
 }
 
+void put_under_headings(CLI::App& program) {
+    for (CLI::App* command : program.get_subcommands({})) {
+        command->group(heading_of(kOfCommands, command->get_name(), command->get_group()));
+        for (CLI::Option* option : command->get_options()) {
+            const std::vector<std::string>& names = option->get_lnames();
+            if (!names.empty())
+                option->group(heading_of(kOfOptions, names.front(), option->get_group()));
+        }
+    }
+}
+
 HelpFormatter::HelpFormatter() {
     label("SUBCOMMAND", "COMMAND");
     label("Subcommands", "Commands");
@@ -68,8 +115,43 @@ std::string HelpFormatter::make_footer(const CLI::App* app) const {
     return text;
 }
 
+std::string HelpFormatter::make_help(const CLI::App* app,
+                                     std::string name,
+                                     CLI::AppFormatMode mode) const {
+    if (mode == CLI::AppFormatMode::Sub) return Formatter::make_help(app, std::move(name), mode);
+    return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+           options_text(app, mode) + make_subcommands(app, mode) + "\n" + make_footer(app);
+}
+
+std::string HelpFormatter::options_text(const CLI::App* app, CLI::AppFormatMode mode) const {
+    std::string all;
+    std::string brief;
+    std::string named;
+    for (const std::string& group : app->get_groups()) {
+        const auto options = app->get_options([&](const CLI::Option* option) {
+            return option->get_group() == group && option->nonpositional();
+        });
+        if (options.empty()) continue;
+        const std::string whole = make_group(group, false, options);
+        all += whole;
+        if (group == app->get_help_ptr()->get_group()) {
+            brief += whole;
+            continue;
+        }
+        std::string names = group + ":";
+        for (const CLI::Option* option : options)
+            names += " " + option->get_name();
+        named += "  " + wrapped(names, kWidth, 4) + "\n";
+    }
+    brief += "\nExplained by --help-all:\n" + named;
+    const bool is_short = std::ranges::count(all, '\n') <= kMostLines;
+    return mode == CLI::AppFormatMode::Normal && !is_short ? brief : all;
+}
+
 std::string HelpFormatter::make_subcommand(const CLI::App* sub) const {
-    return entry(sub->get_display_name(true), sub->get_description());
+    const std::string what = sub->get_description();
+    return entry(
+        sub->get_display_name(true), what.substr(0, what.find_first_of(":;")), kLeftCommand);
 }
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {

@@ -85,15 +85,17 @@ std::unique_ptr<CLI::App> make_program() {
     app->formatter(std::make_shared<HelpFormatter>());  // commands inherit it
     app->set_version_flag("--version", version_text, "Print the version, and those of libraries");
     app->set_help_flag("-h,--help", "Print this help");
+    app->set_help_all_flag("--help-all", "Print all of it");  // commands inherit both
     app->require_subcommand(1);
     app->footer(
-        "inkbench COMMAND --help says more of each.\n"
+        "inkbench MODEL asks for advice; inkbench COMMAND --help says more of each.\n"
         "Example: inkbench compare --scenes torus,staircase --methods mote4,decaudin\n"
         "Exit codes: 0 done, 1 a check failed or nothing has a score, 2 bad input, " +
         std::string(kUnscoredCode) + ", 130 interrupted.");
 #define INK_ADD(name) add_##name##_command(*app);
     INK_COMMANDS(INK_ADD)
 #undef INK_ADD
+    put_under_headings(*app);
     return app;
 }
 

@@ -58,6 +58,33 @@ TEST(Help, IsACommandToo) {
     EXPECT_THAT(refused({"help", "compair"}), HasSubstr("did you mean compare?"));
 }
 
+TEST(Help, FitsAScreenAndNamesWhatItLeavesToHelpAll) {
+    const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+    EXPECT_LE(lines(expect_done({"--help"})), 60);
+    for (const char* command : kCommands) {
+        SCOPED_TRACE(command);
+        const std::string help = expect_done({command, "--help"});
+        EXPECT_LE(lines(help), 60);
+        std::istringstream all(expect_done({command, "--help-all"}));
+        for (std::string line; std::getline(all, line);) {
+            const auto end = line.find_first_of(" ,", 2);
+            if (!line.starts_with("  --")) continue;
+            EXPECT_THAT(help, HasSubstr(line.substr(2, end - 2)));
+        }
+    }
+    EXPECT_THAT(expect_done({"compare", "--help-all"}),
+                AllOf(HasSubstr("\nCamera:\n  --projection"), HasSubstr("\nTruth:\n  --crease")));
+}
+
+TEST(Help, OfNothingAskedIsFourExamples) {
+    const Outcome bare = Desk().run({});
+    EXPECT_EQ(bare.exit_code, 0);
+    std::istringstream lines(bare.out);
+    for (std::string line; std::getline(lines, line) && !line.empty();)
+        EXPECT_THAT(line, AllOf(HasSubstr("inkbench "), HasSubstr("bunny.obj ")));
+    EXPECT_THAT(bare.out, HasSubstr("inkbench --help"));
+}
+
 TEST(Help, ShowsDefaults) {
     EXPECT_THAT(expect_done({"draw", "--help"}),
                 AllOf(HasSubstr("(default: 1280x720)"), HasSubstr("(default: mote4)")));
