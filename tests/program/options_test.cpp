@@ -165,6 +165,20 @@ TEST(OutOption, IsSpeltTwoWaysEverywhere) {
     EXPECT_NE(desk.read("c/rows.csv"), "");
 }
 
+TEST(ViewOption, TakesTheNamesOfViews) {
+    const Desk desk;
+    desk.write("cube.obj", kCubeObj);
+    const Words model = "cube.obj --size 64x36";
+    expect_done(desk, "draw -o view.png --view iso" + model);
+    expect_done(desk, "draw -o views.png --views iso" + model);
+    EXPECT_EQ(desk.read("view.png"), desk.read("views.png"));
+    EXPECT_THAT(expect_done(desk, "truth --view front" + model), HasSubstr("cube.obj front\n"));
+    expect_done(desk, "score view.png --view iso --model cube.obj");
+    // A built-in scene's own view comes first, and those that were asked for are all there are.
+    EXPECT_THAT(expect_done(desk, "explain cube --view front --json"), HasSubstr("\"fov_deg\""));
+    expect_refused(desk, "draw -o a.png --views 2 --view top" + model, {"no view 'top'", "view1"});
+}
+
 TEST(RecordedCommand, CanBePastedIntoAShell) {
     const Desk desk;
     expect_done(desk,

@@ -273,7 +273,17 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
 SceneViews load_one_view(const std::string& what,
                          const std::string& view_name,
                          const ViewRequest& request) {
-    SceneViews scene_views = load_scene_views(what, request);
+    ViewRequest asked = request;
+    asked.up = up_of(request, what);
+    scene::Scene scene = load_scene(what, request.model, request.limits);
+    const bool has_own =
+        is_catalogue_name(scene.name) && core::find_named(scene.cameras, view_name);
+    const bool is_usual = request.cameras.empty() && request.directions.empty() &&
+                          !request.orbit_count && !request.file_cameras;
+    const auto views_by_name = scene::drawing_views();
+    const auto* by_name = core::find_named(views_by_name, view_name);
+    if (by_name != nullptr && is_usual && !has_own) asked.directions = {*by_name};
+    SceneViews scene_views = make_scene_views(std::move(scene), asked);
     std::vector<std::string> names;
     for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);

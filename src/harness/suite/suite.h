@@ -116,7 +116,8 @@ struct SceneViews {
                                                   const ViewRequest& request);
 
 /// The scene that `what` names with one of its views: the one called `view_name`, "" for the first.
-/// Throws core::Error that lists the views' names if none is called so.
+/// Where no views were asked for, that may be one of scene::drawing_views(), too. Throws
+/// core::Error that lists the views' names if none is called so.
 [[nodiscard]] SceneViews load_one_view(const std::string& what,
                                        const std::string& view_name,
                                        const ViewRequest& request);
