@@ -1,6 +1,7 @@
 #include "inspect/explain.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
@@ -128,11 +129,19 @@ std::string value_of(const Fact& fact) {
     return fmt::format("{:.7g}", fact.value);
 }
 
-std::string text_of(const std::vector<Fact>& facts) {
+/// A length of no edges would be a line for nothing; JSON has it.
+bool is_shown(const Fact& fact, bool is_whole) {
+    const bool is_length = fact.name.ends_with("_length");
+    if (is_whole) return !is_length || fact.value != 0;
+    const bool is_detail =
+        is_length || fact.name.starts_with("deviations_") || fact.name.starts_with("crease_gap_");
+    return fact.is_flag || (fact.value != 0 && !is_detail);
+}
+
+std::string text_of(const std::vector<Fact>& facts, bool is_whole) {
     std::string text;
     for (const Fact& fact : facts) {
-        // A length of no edges would be a line for nothing; JSON has it.
-        if (fact.name.ends_with("_length") && fact.value == 0) continue;
+        if (!is_shown(fact, is_whole)) continue;
         text += fmt::format(
             "  {:<20} {:>12} {:<10} {}\n", fact.name, value_of(fact), fact.unit, fact.doc);
     }
@@ -148,6 +157,26 @@ std::string text_of(const std::vector<Optimisation>& optimisations) {
                             optimisation.why);
     }
     return text;
+}
+
+/// The names of what may be left out.
+std::string names_of(const std::vector<Optimisation>& optimisations) {
+    std::vector<std::string> names;
+    for (const Optimisation& optimisation : optimisations)
+        if (optimisation.may) names.push_back(optimisation.what);
+    return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Each with its reason.
+std::string reasons_of(const MethodExplanation& method) {
+    std::string text = fmt::format("\n{}: what it may leave out without changing a bit\n{}",
+                                   method.method,
+                                   text_of(method.skips));
+    if (method.channels.empty()) return text;
+    return text +
+           fmt::format("{}: channels that show no line here (leaving one out changes bits)\n{}",
+                       method.method,
+                       text_of(method.channels));
 }
 
 void count_solids(const scene::Scene& scene, SceneFacts& facts) {
@@ -193,22 +222,19 @@ Explanation explain(const harness::SceneViews& scene_views,
     return explanation;
 }
 
-std::string as_text(const Explanation& explanation) {
+std::string as_text(const Explanation& explanation, bool is_whole) {
     std::string text = fmt::format("{}: its scene statistics\n", explanation.scene);
-    text += text_of(explanation.facts);
-    for (const ViewFacts& view : explanation.views)
+    text += text_of(explanation.facts, is_whole);
+    for (const ViewFacts& view : explanation.views) {
+        if (!is_whole) break;
         text += fmt::format(
-            "\n{}, seen from {}\n{}", explanation.scene, view.view, text_of(view.facts));
+            "\n{}, seen from {}\n{}", explanation.scene, view.view, text_of(view.facts, true));
+    }
     for (const MethodExplanation& method : explanation.methods) {
-        text += fmt::format("\n{}: what it may leave out without changing a bit\n{}",
-                            method.method,
-                            text_of(method.skips));
-        if (!method.channels.empty()) {
-            text += fmt::format(
-                "{}: channels that show no line here (leaving one out changes bits)\n{}",
-                method.method,
-                text_of(method.channels));
-        }
+        text += is_whole ? reasons_of(method)
+                         : fmt::format("\n{}: what it may leave out without changing a bit: {}\n",
+                                       method.method,
+                                       names_of(method.skips));
         if (method.plan.empty()) continue;
         text += fmt::format("{}: what it chose, and why\n", method.method);
         for (const method::PlanLine& line : method.plan)

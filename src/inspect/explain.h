@@ -55,7 +55,7 @@ struct Explanation {
                                   const std::vector<method::MethodConfig>& configs,
                                   double crease_deg);
 
-/// For a terminal.
-[[nodiscard]] std::string as_text(const Explanation& explanation);
+/// For a terminal: all of it, or what fits on one, facts that are not 0 and a few lines a method.
+[[nodiscard]] std::string as_text(const Explanation& explanation, bool is_whole);
 
 }  // namespace ink::inspect

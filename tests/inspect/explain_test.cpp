@@ -85,7 +85,7 @@ TEST(Explain, TextHasAHeadingForEachPart) {
     const harness::SceneViews scene_views =
         harness::make_scene_views(harness::load_scene("torus"), {});
     const std::string text =
-        as_text(explain(scene_views, methods::make_configs("auto,mote4", {}), 40));
+        as_text(explain(scene_views, methods::make_configs("auto,mote4", {}), 40), true);
     for (const char* part : {"torus: its scene statistics",
                              "torus, seen from ",
                              "auto: what it may leave out",

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/program/run_program.h"
 
 // `inkbench explain` as a user runs it.
@@ -16,6 +18,17 @@ TEST(Explain, PrintsTheSceneStatisticsAndWhatAutoChose) {
                 AllOf(HasSubstr("creases"),
                       HasSubstr("mote4: what it may leave out"),
                       HasSubstr("auto: what it chose, and why")));
+}
+
+TEST(Explain, FitsAScreenUnlessAllIsAsked) {
+    const Desk desk;
+    const auto lines = [&](const Words& words) {
+        return std::ranges::count(expect_done(desk, "explain" + words), '\n');
+    };
+    for (const char* scene : {"torus", "letters", "bush", "cube --methods mote4,auto"})
+        EXPECT_LE(lines(scene), 40) << scene;
+    EXPECT_THAT(expect_done(desk, "explain cube --all"),
+                AllOf(HasSubstr("cube, seen from "), HasSubstr("sobel: what it may leave out")));
 }
 
 TEST(Explain, JsonHoldsTheSame) {

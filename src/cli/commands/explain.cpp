@@ -26,6 +26,7 @@ struct ExplainArgs {
     std::vector<std::string> methods;
     std::vector<std::string> settings;
     ExperimentOptions options;
+    bool all = false;
     bool json = false;
 };
 
@@ -68,7 +69,9 @@ Json json_of(const inspect::Explanation& explanation) {
 }
 
 void run_explain(const ExplainArgs& args) {
+    const bool is_whole = args.all || args.json;
     auto configs = methods::make_configs(method_list(args.methods), args.settings);
+    if (!is_whole && args.methods.empty()) configs.clear();
     const experiment::Experiment asked = args.options.read();
     methods::follow_crease(asked.crease_deg, configs);
     const harness::ViewRequest request = views_of(asked);
@@ -83,7 +86,10 @@ void run_explain(const ExplainArgs& args) {
         json["place"] = as_json(place_of(scene_views));
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n{}", as_text(place_of(scene_views)), inspect::as_text(explanation));
+        fmt::print("{}\n{}{}",
+                   as_text(place_of(scene_views)),
+                   inspect::as_text(explanation, is_whole),
+                   configs.empty() ? "(--methods NAME: what it may leave out; --all: all)\n" : "");
     }
 }
 
@@ -103,6 +109,7 @@ void add_explain_command(CLI::App& app) {
     args->options.add_to(*command,
                          {"measure.crease_deg"},
                          "Crease angle of the scene statistics, and of methods that use the same");
+    rows.flag("--all", args->all, "All of it, of all methods, with reasons");
     rows.flag("--json", args->json, "Print JSON instead of text");
     command->footer(
         "Example: inkbench explain torus --methods mote4,auto\n"
