@@ -104,7 +104,7 @@ std::vector<method::MethodConfig> make_configs(const std::string& methods,
         if (!names.insert(config.info->name).second) {
             throw core::Error(file,
                               fmt::format("'{}' is there twice", config.info->name),
-                              "presets with names of their own");
+                              "presets with names of their own (inkbench tune --name)");
         }
         configs.push_back(std::move(config));
     }

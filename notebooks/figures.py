@@ -134,7 +134,7 @@ def parser():
                   formatter_class=argparse.RawDescriptionHelpFormatter,
                   description="Make figures for papers from run folders.",
                   epilog="figures: " + ", ".join(catalogue.FIGURES) + "\n\n"
-                  "Example: python3 notebooks/figures.py inkbench-out --format pdf --width 84mm\n"
+                  "Example: python3 notebooks/figures.py inkbench-out/compare --format pdf --width 84mm\n"
                   "Exit codes: 0 done, 2 bad input.")
     out.add_argument("runs", metavar="RUN", nargs="*",
                      help="folder of a finished run; a figure is drawn from the first that has its "

@@ -3,8 +3,8 @@
 `rows.csv` is complete in itself, and every other table names a cell of it, so that by hand it takes
 three lines:
 
-    rows = pandas.read_csv("inkbench-out/rows.csv")
-    curves = pandas.read_csv("inkbench-out/curves.csv")
+    rows = pandas.read_csv("inkbench-out/compare/rows.csv")
+    curves = pandas.read_csv("inkbench-out/compare/curves.csv")
     curves = curves.merge(rows[["cell", "method", "scene", "view"]], on="cell")
 """
 

@@ -166,6 +166,16 @@ TEST(OutOption, IsSpeltTwoWaysEverywhere) {
     EXPECT_NE(desk.read("c/rows.csv"), "");
 }
 
+TEST(OutOption, IsAFolderCalledAfterTheScenesUnlessSaid) {
+    const Desk desk;
+    desk.write("my cube.obj", kCubeObj);
+    const Words compare = "compare --methods ids --no-sweep --no-times --size 64x36";
+    expect_done(desk, compare + Words{"my cube.obj"});
+    expect_done(desk, compare + "cube torus");
+    EXPECT_EQ(rows_of(desk, "inkbench-out/my_cube").at(0).at("scene"), "my cube");
+    EXPECT_EQ(rows_of(desk, "inkbench-out/cube_torus").at(0).at("scene"), "cube");
+}
+
 TEST(ViewOption, TakesTheNamesOfViews) {
     const Desk desk;
     desk.write("cube.obj", kCubeObj);
@@ -185,7 +195,7 @@ TEST(RecordedCommand, CanBePastedIntoAShell) {
     expect_done(desk,
                 "tune mote4 --scenes cub* --size 64x36 --evaluations 2 --no-random "
                 "--quiet --out out");
-    EXPECT_THAT(desk.read("out/mote4_tuned.toml"),
+    EXPECT_THAT(desk.read("out/mote4_cube.toml"),
                 AllOf(HasSubstr("inkbench tune mote4"),
                       HasSubstr("--scenes 'cub*' --size 64x36"),
                       testing::Not(HasSubstr("--quiet"))));

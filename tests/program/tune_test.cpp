@@ -33,7 +33,7 @@ TEST(TuneProgram, KilledAndStartedAgainItComesToTheSameBytes) {
     for (const long lines : {3, 11, 47})
         (void)desk.kill_when(tune_words("killed"), [&] { return lines_of(log) >= lines; });
     expect_done(desk, tune_words("killed"));
-    for (const char* file : {"/evaluations.csv", "/mote4_tuned.toml"})
+    for (const char* file : {"/evaluations.csv", "/mote4_cube_layers_gem.toml"})
         EXPECT_EQ(desk.read("killed" + std::string(file)), desk.read("whole" + std::string(file)));
     EXPECT_EQ(parse_csv(desk.read("whole/evaluations.csv")).size(), 80U);
     EXPECT_FALSE(std::filesystem::exists(log));
@@ -48,7 +48,7 @@ TEST(TuneProgram, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
     EXPECT_EQ(stopped.exit_code, 130);
     EXPECT_THAT(stopped.err, HasSubstr("the same command goes on from there"));
     EXPECT_GT(lines_of(log), 5);
-    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out" / "mote4_tuned.toml"));
+    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out" / "mote4_cube_layers_gem.toml"));
 }
 
 TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {

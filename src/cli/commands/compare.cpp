@@ -28,7 +28,7 @@ constexpr const char* kDemoMethods =
 constexpr const char* kDemoOut = "inkbench-out/demo";
 
 struct CompareArgs : MeasureArgs {
-    CompareArgs() : MeasureArgs("compare", "inkbench-out") {
+    CompareArgs() : MeasureArgs("compare", "") {
         options.usual().budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
         options.usual().compare.own_sweep_views = 1;
     }
@@ -101,14 +101,19 @@ void add_compare_command(CLI::App& app) {
                     "study.motion"});
     add_cache_options(*command, args->cache);
     command->footer(
-        "Killed or interrupted, the same command goes on where it stopped.\n"
+        "NAME is that of up to three scenes, else compare. Killed or interrupted, the same command "
+        "goes on where it stopped.\n"
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"
         "Exit codes: 0 done, 1 the run is invalid or nothing has a score, 2 bad input, " +
         std::string(kUnscoredCode) + ", 130 interrupted.");
     command->callback([args, command] {
         if (args->demo) apply_demo(*args, *command);
         if (args->quick) apply_quick(*args);
-        run_to_end(*command, experiment_of(*args), args->folder, args->cache);
+        const experiment::Experiment experiment = experiment_of(*args);
+        RunFolderOptions folder = args->folder;
+        if (folder.out.empty())
+            folder.out = "inkbench-out/" + name_after(experiment.scenes, experiment.name);
+        run_to_end(*command, experiment, folder, args->cache);
     });
 }
 

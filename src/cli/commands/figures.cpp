@@ -311,7 +311,7 @@ void add_figures_command(CLI::App& app) {
         "Without a run, one view of each scene is drawn, its first; --views N draws N round it.\n"
         "Figures need Python 3 with pandas and matplotlib (Debian: python3-pandas "
         "python3-matplotlib).\n"
-        "Example: inkbench figures inkbench-out --format pdf --width 84mm --out figs\n"
+        "Example: inkbench figures inkbench-out/compare --format pdf --width 84mm --out figs\n"
         "         inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
         "Exit codes: 0 done, 1 nothing has a score, 2 bad input, " +
         std::string(kUnscoredCode) + ", 130 interrupted.");

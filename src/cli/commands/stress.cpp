@@ -81,7 +81,7 @@ std::string bounds_text() {
 }  // namespace
 
 void add_stress_command(CLI::App& app) {
-    auto args = std::make_shared<MeasureArgs>("stress", "inkbench-out/stress");
+    auto args = std::make_shared<MeasureArgs>("stress", "");
     args->options.usual().kind = experiment::ExperimentKind::stress;
     args->options.usual().sizes = {{480, 270}};
     auto* command = app.add_subcommand(
@@ -105,7 +105,8 @@ void add_stress_command(CLI::App& app) {
     command->footer(
         "Writes rows.csv, stress.csv, axes.csv, axis_summary.csv and report.html.\n"
         "Example: inkbench stress --axes grazing,origin --methods mote4,decaudin\n"
-        "The hardest views, in hardest.csv, rows.csv and report.html of inkbench-out/hardest:\n"
+        "The hardest views, in hardest.csv, rows.csv and report.html of "
+        "inkbench-out/hardest_NAME:\n"
         "  inkbench stress --hardest surface8 --against id_lookup --scenes rocket,my.glb\n" +
         bounds_text() +
         "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell has no result or "
@@ -114,7 +115,8 @@ void add_stress_command(CLI::App& app) {
     command->callback([args, command] {
         const experiment::Experiment experiment = asked(*args);
         RunFolderOptions folder = args->folder;
-        if (command->count("--out") == 0) folder.out = "";  // after the experiment's name
+        if (folder.out.empty() && !args->scenes.is_empty())
+            folder.out = "inkbench-out/hardest_" + name_after(experiment.scenes, "views");
         run_to_end(*command, experiment, folder, args->cache);
     });
 }

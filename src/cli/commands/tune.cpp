@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -50,7 +51,7 @@ struct TuneArgs {
     SceneOptions scenes;
     std::vector<std::string> unseen;
     std::string name;
-    std::string out = "inkbench-out/tune";
+    std::string out;
     bool is_forced = false;
     CacheOptions cache;
 };
@@ -71,6 +72,17 @@ std::vector<std::string> scenes_of(const TuneArgs& args) {
     const bool is_scene = !args.methods.empty() && !args.method.empty();
     if (is_scene) scenes.named.insert(scenes.named.begin(), args.method);
     return scene_names(scenes);
+}
+
+/// The preset is called after its models, in letters that a method's name may have.
+std::string name_of(const TuneArgs& args) {
+    if (!args.name.empty()) return args.name;
+    std::string name = method_of(args) + "_" + name_after(scenes_of(args), "tuned");
+    for (char& c : name) {
+        const auto letter = static_cast<unsigned char>(c);
+        c = std::isalnum(letter) != 0 ? static_cast<char>(std::tolower(letter)) : '_';
+    }
+    return name;
 }
 
 method::MethodConfig with_crease(const method::MethodConfig& config, double crease_deg) {
@@ -97,10 +109,10 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     if (!tune::TuneSpace(*options.config.info, args.parameters).has("crease_deg"))
         options.config = with_crease(options.config, asked.crease_deg);
     options.threads = asked.threads.front();
-    options.out = args.out;
-    options.is_forced = args.is_forced;
-    options.name = args.name.empty() ? method + "_tuned" : args.name;
+    options.name = name_of(args);
     methods::check_name(options.name, "--name");
+    options.out = args.out.empty() ? "inkbench-out/" + options.name : args.out;
+    options.is_forced = args.is_forced;
     return options;
 }
 
@@ -203,8 +215,12 @@ void add_tune_command(CLI::App& app) {
     rows.list("--unseen", args->unseen, "SCENES", "Scenes or model files that are only scored");
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
-    rows.text("--name", args->name, "NAME", "Name of the preset (default: METHOD_tuned)");
-    add_out_folder_option(*command, args->out, "Folder of the run, with NAME.toml");
+    rows.text("--name",
+              args->name,
+              "NAME",
+              "Name of the preset (default: METHOD and up to three scenes, else METHOD_tuned)");
+    add_out_folder_option(
+        *command, args->out, "Folder of the run, with NAME.toml (default: inkbench-out/NAME)");
     rows.flag(
         "--force", args->is_forced, "Throw away the run that is in the folder, whatever it is");
     args->options.add_to(*command, {"grid.threads"}, "Threads; only times depend on it");

@@ -129,7 +129,9 @@ void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
     CommandRows rows(command);
     // clang-format off
-    add_out_folder_option(command, options.out, "Folder of the run");
+    add_out_folder_option(command, options.out,
+                          "Folder of the run" +
+                              std::string(options.out.empty() ? " (default: inkbench-out/NAME)" : ""));
     rows.text("--shard", options.shard, "I/N", "Only this share; see inkbench merge");
     rows.flag("--force", options.is_forced,
               "Throw away the run that is in the folder, whatever it is");

@@ -1,6 +1,7 @@
 #include "cli/options/scene_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glob.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "core/error.h"
 #include "core/named.h"
 #include "experiment/experiment.h"
+#include "harness/images/view_images.h"
 
 namespace ink::cli {
 namespace {
@@ -110,6 +112,14 @@ std::vector<std::string> scene_names(const SceneOptions& options) {
     add_texts(options.listed, {"--scenes", "scene", scene_words()}, list);
     add_texts(options.named, {kType, "scene", scene_words()}, list);
     return list.names();
+}
+
+std::string name_after(const std::vector<std::string>& scenes, const std::string& otherwise) {
+    if (scenes.empty() || scenes.size() > 3) return otherwise;
+    std::vector<std::string> names;
+    for (const std::string& scene : scenes)
+        names.push_back(std::filesystem::path(scene).stem().string());
+    return harness::file_name(fmt::format("{}", fmt::join(names, "_")));
 }
 
 std::string one_scene(const SceneOptions& options, const std::string& command) {

@@ -34,6 +34,11 @@ void add_one_scene_options(CLI::App& command, SceneOptions& options);
 /// The one scene that the options mean. Throws core::Error (where = `command`) unless it is one.
 [[nodiscard]] std::string one_scene(const SceneOptions& options, const std::string& command);
 
+/// What is made of these scenes is called: after up to three of them, "spot_temple", else
+/// `otherwise`. It can be the name of a file.
+[[nodiscard]] std::string name_after(const std::vector<std::string>& scenes,
+                                     const std::string& otherwise);
+
 /// The words that may stand in a list of scenes: those built in, then the groups of them.
 [[nodiscard]] std::vector<std::string> scene_words();
 
