@@ -161,6 +161,39 @@ class ReadingTest(BrowserTest):
         self.wait(lambda: self.address() == "#margin=0.9")
         cheapest = self.script("return currentView().contestants.reduce((a, b) => a.ms < b.ms ? a : b).method")
         self.wait(lambda: cheapest in self.find("h1").text)
+        self.find("#margin").clear()
+        self.find("#margin").send_keys("-1", Keys.ENTER)
+        self.assertEqual((self.find("#margin").get_attribute("value"), self.address()), ("0.9", "#margin=0.9"))
+
+    def test_an_open_list_closes_by_escape_and_by_a_click_beside_it(self):
+        self.open()
+        names = ("methods", "scenes")
+        is_open = lambda: [self.script("return document.querySelector(arguments[0]).open", f".picker[data-name={name}]")
+                           for name in names]
+        methods, scenes = (self.find(f".picker[data-name={name}] summary") for name in names)
+        methods.click()
+        self.find(".picker[open] input").send_keys(Keys.ESCAPE)
+        self.assertEqual(is_open(), [False, False])
+        self.assertEqual(self.browser.switch_to.active_element, methods)
+        methods.click()
+        scenes.click()
+        self.assertEqual(is_open(), [False, True])
+        self.find("h1").click()
+        self.assertEqual(is_open(), [False, False])
+
+    def test_the_first_chart_has_one_title_and_methods_alone(self):
+        self.open(part="time")
+        text = self.script("return document.querySelector('#time').innerText")
+        self.assertEqual(text.lower().count("error, 1"), 1, text)
+        self.assertEqual(self.find_all("#time path.setting"), [])
+
+    def test_the_side_list_of_a_phone_is_whole_and_marks_the_answer(self):
+        with self.window(390):
+            self.open(part="pictures")
+            tall, shown, named = self.script("const side = document.querySelector('.side'); return [side.scrollHeight, "
+                                             "side.clientHeight, [...side.querySelectorAll('b')].map(b => b.textContent)]")
+            self.assertLessEqual(tall, shown)
+            self.assertEqual(named, ["answer"])
 
     def test_reset_gives_back_filters_alone(self):
         self.open(address="#theme=dark&scene=gear&right=sobel&measure=recall&budget=9&sort.verdict=ms.up")

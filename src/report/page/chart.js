@@ -1,13 +1,14 @@
 // Charts: a frame with its controls, axes, labels that do not touch, and the chart's way out of the
 // page as SVG and as CSV.
 
-/// A chart in `parent`: {id, title, note, height, least, controls: [elements], draw(chart), csv()}.
+/// A chart in `parent`: {id, title, isNamed, note, height, least, controls: [elements], draw(chart), csv()}.
+/// Where the part above says what it is, no title is shown (`isNamed`).
 /// `draw` is given {svg, width, height} and is called again when the width changes. `csv` gives
 /// lines of fields, the heading first.
-function makeChart(parent, {id, title, note, height = 420, least = 320, controls = [], draw, csv}) {
+function makeChart(parent, {id, title, isNamed = true, note, height = 420, least = 320, controls = [], draw, csv}) {
     const body = element('div', {class: 'chart-body scroll', tabindex: '0', role: 'group', 'aria-label': title});
     const figure = element('figure', {class: 'chart', id: `chart-${id}`},
-        element('div', {class: 'chart-head'}, element('h3', {}, title),
+        element('div', {class: 'chart-head'}, isNamed ? element('h3', {}, title) : null,
             element('div', {class: 'tools'}, controls,
                 element('button', {type: 'button', class: 'quiet', onclick: () => saveFile(
                     `${id}.svg`, 'image/svg+xml', svgText(body.querySelector('svg')))}, 'SVG'),

@@ -62,6 +62,18 @@ function chooser(label, choices, chosen, onChoose, isLabelShown = true) {
     return isLabelShown ? element('label', {class: 'field'}, element('span', {}, label), list) : list;
 }
 
+/// Open lists close by Escape, which leaves the focus on their names, and by a click beside them. This
+/// looks before the click does its work, which may draw the list anew.
+function closeLists(but) {
+    for (const list of document.querySelectorAll('.picker[open]')) {
+        if (list === but) continue;
+        if (list.contains(document.activeElement)) list.querySelector('summary').focus();
+        list.open = false;
+    }
+}
+document.addEventListener('click', ({target}) => closeLists(target.closest('.picker')), true);
+document.addEventListener('keydown', ({key}) => (key === 'Escape' ? closeLists(null) : null));
+
 /// What `draw` puts anew into `root` stands as the reader left it: the same lists open, boxes scrolled
 /// as far, and the focus on the control that they work.
 function redrawInPlace(root, draw) {

@@ -206,6 +206,9 @@ function marginField() {
         element('span', {}, 'Margin'),
         element('input', {
             type: 'number', id: 'margin', min: 0, max: 1, step: 'any', value: state.get('margin'), 'aria-label': 'Margin below the best',
-            onchange: ({target}) => (target.reportValidity() && target.value !== '' ? state.set({margin: Number(target.value)}) : null),
+            onchange: ({target}) => {
+                if (!target.reportValidity()) target.value = state.get('margin');
+                else if (target.value !== '') state.set({margin: Number(target.value)});
+            },
         }));
 }

@@ -202,7 +202,7 @@ async function drawThumb(canvas, run, scene, view, method, width_px, look = 'err
 /// What the colours of images mean.
 function imageLegend(look) {
     const entry = (rgb, text) => element('li', {}, element('i', {style: `background:${rgbText(rgb)}`}), text);
-    const items = [entry(LABEL_RGB[1], 'right')];
+    const items = [element('li', {}, 'Drawn:'), entry(LABEL_RGB[1], 'right')];
     if (look === 'causes') items.push(...CAUSES.map(cause => entry(cause.rgb, cause.text)));
     else items.push(entry(MISSING_RGB, 'missing'), entry(FALSE_RGB, 'false'));
     items.push(entry(IGNORED_RGB, 'does not count'));
@@ -210,6 +210,6 @@ function imageLegend(look) {
 }
 
 function truthLegend() {
-    return element('ul', {class: 'legend'}, CLASSES.map((name, index) => element('li', {},
+    return element('ul', {class: 'legend'}, element('li', {}, 'Truth:'), CLASSES.map((name, index) => element('li', {},
         element('i', {style: `background:${rgbText(LABEL_RGB[index + 1])}`}), name)));
 }

@@ -116,10 +116,12 @@ function fillSide(side, choice, shown) {
     side.append(element('h3', {}, `${choice.scene}, ${choice.view}`));
     for (const row of rows) {
         if (!viewImages.has(shown.run, row.scene, row.view, row.method)) continue;
+        const name = methodName(shown.run.methods.get(row.method));
+        if (row.method === shown.best?.method) name.append(element('b', {}, 'answer'));
         side.append(element('button', {
             type: 'button', class: 'side-line', 'aria-pressed': row.method === choice.right ? 'true' : 'false',
             onclick: () => state.set({scene: choice.scene, view: choice.view, right: row.method}),
-        }, methodName(shown.run.methods.get(row.method)),
+        }, name,
             element('span', {class: 'number'}, formatShare(row.f_2px)),
             element('span', {class: 'number soft'}, row.draw_ns ? `${formatMs(row.draw_ns * 1e-6)} ms` : '')));
     }

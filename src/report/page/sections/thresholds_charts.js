@@ -86,7 +86,7 @@ function toleranceChart(root, methods) {
     const shown = methods.filter(method => method.tolerances.size && !['none', 'oracle'].includes(method.name));
     root.append(element('div', {class: 'tools'},
         choiceButtons('Scale', [[false, 'F, linear'], [true, 'Error 1 − F, logarithmic']],
-        isLog, log => state.set({'tolerances.log': log}))));
+        isLog, log => state.set({'tolerances.log': log})), methodLegend(root, shown.map(method => method.info))));
     const lines = shown.map(method => methodLine(method.info, [...method.tolerances].map(([tolerance, f]) => ({
         x: tolerance, y: isLog ? 1 - f : f, rows: method.lines,
             text: [method.name, `F ${formatShare(f)} within ${tolerance} px`],
@@ -98,7 +98,7 @@ function toleranceChart(root, methods) {
             const points = lines.flatMap(line => line.points);
             const values = points.map(p => p.y);
             plotLines(chart, {
-                lines, x: range => makeScale(points.map(p => p.x), range),
+                lines, labels: false, x: range => makeScale(points.map(p => p.x), range),
                 y: range => (isLog ? makeScale(values, range, {isLog, least: 1e-4}) : shareScale(values, range)),
                 bottom: {title: 'tolerance of a match, px', ticks: distinct(points, p => p.x), format: String},
                 left: {isLog, title: isLog ? 'error 1 − F, logarithmic' : 'F'},

@@ -5,7 +5,7 @@ state.define('time.x', 'ms');
 state.define('time.xlog', true);
 state.define('time.ylog', true);
 state.define('time.y', 'error');
-state.define('time.settings', true);
+state.define('time.settings', false);
 
 addSection({
     id: 'time',
@@ -19,10 +19,12 @@ addSection({
         const isBytes = state.get('time.x') === 'bytes';
         const isError = state.get('time.y') === 'error';
         const measure = MEASURES[view.measure];
-        const lines = [...timeLines(view.contestants), ...(isBytes || !state.get('time.settings') ? [] : sweep)];
+        const settings = isBytes || !state.get('time.settings') ? [] : sweep;
+        const lines = [...timeLines(view.contestants), ...settings];
         makeChart(root, {
             id: 'error-time',
             title: `${isError ? measure.error : measure.title} against ${isBytes ? 'bytes a pixel' : 'time of a frame'}`,
+            isNamed: false,
             height: width => Math.max(380, Math.min(500, width * 0.52)),
             controls: [
                 choiceButtons('Horizontal axis', [['ms', 'Time'], ['bytes', 'Bytes']], state.get('time.x'), x => state.set({'time.x': x})),
@@ -40,7 +42,7 @@ addSection({
         root.append(element('p', {class: 'note'}, ['Lower left is better. The grey stair is the lowest error to be had at each time. ' +
             'Point at a method to see its worst image, the 95 % interval of its error and the quartiles of its time over views; those of ' +
             'the stair are always there. A click keeps the image and blinks the truth over it.',
-        sweep.length && !isBytes ? 'Small points: other settings of a method, over the views of the sweep.' : '',
+        settings.length ? 'Small points: other settings of a method, over the views of the sweep.' : '',
         ownClockNote(view)].filter(Boolean).join(' ')));
     },
 });
