@@ -236,6 +236,14 @@ class PageTest(BrowserTest):
         self.find("#reset").click()
         self.wait(lambda: "soft F" in self.find("#chart-error-time").text and self.find("h1").text == first)
 
+    def test_beside_a_run_without_ink_there_is_no_soft_f(self):
+        for runs in (("ink", "seven"), ("seven", "ink")):
+            inkbench("report", *(self.folder / run for run in runs), "-o", self.folder / "mixed.html")
+            self.open(self.folder / "mixed.html", part="runs")
+            self.assertEqual(self.script("return [shownMeasure(), currentView().measure]"), ["f_2px", "f_2px"])
+            self.assertEqual(self.find_all("option[value=soft_f]"), [])
+            self.assertIn("F at 2 px: ", self.find("#runs").text)
+
     def test_ink_under_a_filter_is_summed_from_the_rows(self):
         self.open(self.folder / "ink" / "report.html", "#scenes=cube,gear")
         with open(self.folder / "ink" / "rows.csv", newline="") as file:

@@ -22,15 +22,15 @@ function currentView() {
     return viewOf(run);
 }
 
-/// Whether grey lines were scored.
-function hasInk(run) {
-    return run.rows.some(row => isNumber(row.soft_f));
+/// Whether grey lines were scored: in all runs, so that these can be held against each other.
+function hasInk() {
+    return runs.every(run => run.rows.length === 0 || run.rows.some(row => isNumber(row.soft_f)));
 }
 
-/// The chosen measure; F where that is soft F and the run has none.
-function measureOf(run) {
+/// The chosen measure; F where that is soft F and not every run has it.
+function shownMeasure() {
     const measure = state.get('measure');
-    return measure === 'soft_f' && !hasInk(run) ? 'f_2px' : measure;
+    return measure === 'soft_f' && !hasInk() ? 'f_2px' : measure;
 }
 
 function isSceneShown(row) {
@@ -47,7 +47,7 @@ function isMethodChosen(info) {
 }
 
 function viewOf(run) {
-    const measure = measureOf(run);
+    const measure = shownMeasure();
     const allRows = run.rows.filter(isSceneShown);
     const isMethodShown = name => isMethodChosen(run.methods.get(name));
     const rows = allRows.filter(row => isMethodShown(row.method));
@@ -93,9 +93,8 @@ function isFiltered() {
 }
 
 /// Whether the page shows all of a run, asked as the run was: then the words of the run hold.
-function isWhole(run) {
-    const {words, record} = run;
-    return words !== null && !isFiltered() && measureOf(run) === record.measure && state.get('budget') === record.budget_ms &&
+function isWhole({words, record}) {
+    return words !== null && !isFiltered() && shownMeasure() === record.measure && state.get('budget') === record.budget_ms &&
         state.get('margin') === record.f_margin;
 }
 
@@ -124,7 +123,7 @@ function drawFilters(root, view) {
         projections.length > 1 ? chooser('Projection', [['all', 'both projections'], ...projections.map(one => [one, one])],
             state.get('projection'), projection => state.set({projection})) : null,
         run.rows.length ? chooser('Measure', [
-            ...(hasInk(run) ? [['soft_f', 'soft F']] : []),
+            ...(hasInk() ? [['soft_f', 'soft F']] : []),
             ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],
             ...classes.map(name => [name, `recall: ${groupTitle(name)}`])], view.measure,
             measure => state.set({measure})) : null,

@@ -50,8 +50,8 @@ function isLead(difference) {
 }
 
 /// Says why there are no intervals, where filters are why.
-function noteSums(root, {run, hasAllScenes, measure}) {
+function noteSums(root, {hasAllScenes, measure}) {
     const words = !hasAllScenes ? 'Scenes are filtered: these are sums alone. Intervals are of all scenes.'
-        : ['f_1px', 'precision', 'recall'].includes(measure) ? `Intervals are of F at 2 px, ${hasInk(run) ? 'of soft F, ' : ''}and of recall by class.` : '';
+        : ['f_1px', 'precision', 'recall'].includes(measure) ? `Intervals are of F at 2 px, ${hasInk() ? 'of soft F, ' : ''}and of recall by class.` : '';
     if (words) root.append(element('p', {class: 'note sums'}, words));
 }

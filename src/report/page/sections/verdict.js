@@ -5,7 +5,7 @@ addSection({
     isMain: true,
     title: 'Verdict',
     intro: view => 'Counts of all views are pooled. F is the harmonic mean of precision and recall of one-to-one ' +
-        'matches between drawn and true pixels' + (hasInk(view.run) ? ', soft F that of their ink' : '') + '. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
+        'matches between drawn and true pixels' + (hasInk() ? ', soft F that of their ink' : '') + '. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
         'sampled (one exact sample a pixel, at its centre), exact_corner (one at its corner), oracle (the truth itself).',
     isThere: view => view.run.rows.length > 0 && !view.run.has('hardest.csv'),
     uses: ['sort.verdict'],
