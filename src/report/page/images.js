@@ -190,7 +190,8 @@ async function drawThumb(canvas, run, scene, view, method, width_px, look = 'err
     if (!image) return false;
     const dense = Math.min(2, window.devicePixelRatio || 1);
     const factor = Math.max(1, Math.round(image.width / (width_px * dense)));
-    const shown = factor > 1 ? shrinkCodes(image, factor) : image;
+    image.shrunk ??= {};  // by factor: filters draw the same thumbnails anew
+    const shown = factor > 1 ? image.shrunk[factor] ??= shrinkCodes(image, factor) : image;
     canvas.width = shown.width;
     canvas.height = shown.height;
     canvas.style.width = `${width_px}px`;

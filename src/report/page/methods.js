@@ -58,6 +58,13 @@ function sweptParams(run) {
     return names.slice(names.indexOf('status') + 1, names.indexOf('f_2px'));
 }
 
+/// The values of all swept parameters of a line of sweep.csv, as one text; made once, since there are many.
+function settingKey(run, line) {
+    run.settingKeys ??= new Map();
+    if (!run.settingKeys.has(line)) run.settingKeys.set(line, sweptParams(run).map(name => line[name]).join(';'));
+    return run.settingKeys.get(line);
+}
+
 /// Whether two values of a parameter are the same, as texts or as numbers.
 function isSameValue(a, b) {
     return String(a) === String(b) || (a !== '' && b !== null && Number(a) === Number(b));

@@ -55,13 +55,17 @@ class Table {
 
     /// The lines as objects, a property a column.
     get lines() {
-        if (this.madeLines) return this.madeLines;
-        const names = this.names;
-        const columns = names.map(name => this.column(name));
+        return this.madeLines ??= this.makeLines({});
+    }
+
+    /// Lines with the fields of `beneath` beneath their own.
+    makeLines(beneath) {
+        const columns = this.names.map(name => this.column(name));
         // Browsers keep an object of a hundred fields in a slow form unless one function names them all.
-        const Line = new Function('columns', 'line', names.map((name, i) => `this[${JSON.stringify(name)}] = columns[${i}][line]`).join(';'));
-        this.madeLines = Array.from({length: this.lineCount}, (_, line) => new Line(columns, line));
-        return this.madeLines;
+        const Line = new Function('columns', 'line',
+            this.names.map((name, i) => `this[${JSON.stringify(name)}] = columns[${i}][line]`).join(';'));
+        Line.prototype = beneath;
+        return Array.from({length: this.lineCount}, (_, line) => new Line(columns, line));
     }
 }
 
@@ -132,11 +136,14 @@ class Run {
 
     /// The lines of a side table, each with the fields of its cell's row beneath its own.
     joined(name) {
-        this.joinedTables[name] ||= this.table(name).lines.map(line => {
-            const row = this.cells.get(line.cell) || {};
-            return Object.assign(Object.create(row), line);
-        });
-        return this.joinedTables[name];
+        return this.joinedTables[name] ??= this.table(name).makeLines(this.cellFields(this.table(name)));
+    }
+
+    /// For lines that name a cell: the fields of its row which their table has not.
+    cellFields(table) {
+        const {cells} = this;
+        const fields = this.table('rows.csv').names.filter(name => !table.has(name));
+        return Object.create(null, Object.fromEntries(fields.map(name => [name, {get() { return cells.get(this.cell)?.[name]; }}])));
     }
 }
 

@@ -24,10 +24,10 @@ function sweptMethods(view) {
         line.status === 'ok');
     const names = sweptParams(view.run);
     return byMethod(view.run, lines).filter(method => !method.isBaseline).map(method => {
-        const values = name => distinct(method.lines, line => line[name]).length;
+        const groups = [...groupBy(method.lines, line => settingKey(view.run, line)).values()];
+        const values = name => distinct(groups, ([line]) => line[name]).length;
         const params = names.filter(name => values(name) > 1).sort((a, b) => values(b) - values(a));
-        const settings = [...groupBy(method.lines, line => params.map(name => line[name]).join('\n')).values()].map(
-            ofSetting => sweptSetting(method, params, ofSetting)).filter(setting => setting.f !== null);
+        const settings = groups.map(lines => sweptSetting(method, params, lines)).filter(setting => setting.f !== null);
         return {...method, params, settings, own: settings.find(setting => setting.isOwn) || null};
     }).filter(method => method.settings.length > 1);
 }

@@ -64,7 +64,7 @@ function settingsOf(view) {
     const lines = view.run.joined('sweep.csv').filter(
         line => view.isMethodShown(line.method) && isSceneShown(line) && line.status === 'ok');
     const swept = sweptParams(view.run);
-    return [...groupBy(lines, line => `${line.method}\n${swept.map(name => line[name]).join(';')}`).values()].map(rows => {
+    return [...groupBy(lines, line => `${line.method}\n${settingKey(view.run, line)}`).values()].map(rows => {
         const info = view.run.methods.get(rows[0].method);
         const made = summarise(info, rows, view.measure);
         return {...made, rows: [], range: null, msRange: null, isSetting: true,
