@@ -25,6 +25,7 @@ namespace {
 struct Pass {
     std::string name, vertex, fragment, attributes, targets;
     std::uint32_t texture_count = 0;
+    bool has_depth = false;
 };
 
 struct NoDriver : std::runtime_error {
@@ -132,7 +133,7 @@ VkPipelineLayout make_layout(VkDevice device, std::uint32_t texture_count) {
     return layout;
 }
 
-/// Triangles into the pass's targets, of both sides; with a depth test where there is a mesh.
+/// Triangles into the pass's targets, of both sides.
 VkPipeline make_pipeline(VkDevice device, const Pass& pass) {
     std::vector<VkVertexInputBindingDescription> arrays;
     std::vector<VkVertexInputAttributeDescription> attributes;
@@ -141,13 +142,12 @@ VkPipeline make_pipeline(VkDevice device, const Pass& pass) {
         arrays.push_back({.binding = i, .stride = 16});
         attributes.push_back({.location = i, .binding = i, .format = format});
     }
-    const bool is_mesh = !arrays.empty();
     const std::vector<VkFormat> targets = formats_of(pass.targets);
     const VkPipelineRenderingCreateInfo rendering{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
         .colorAttachmentCount = static_cast<std::uint32_t>(targets.size()),
         .pColorAttachmentFormats = targets.data(),
-        .depthAttachmentFormat = is_mesh ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED};
+        .depthAttachmentFormat = pass.has_depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED};
     const VkPipelineShaderStageCreateInfo stages[] = {
         stage_of(device, pass.vertex, VK_SHADER_STAGE_VERTEX_BIT),
         stage_of(device, pass.fragment, VK_SHADER_STAGE_FRAGMENT_BIT)};
@@ -171,8 +171,8 @@ VkPipeline make_pipeline(VkDevice device, const Pass& pass) {
         .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
     const VkPipelineDepthStencilStateCreateInfo depth{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = is_mesh,
-        .depthWriteEnable = is_mesh,
+        .depthTestEnable = pass.has_depth,
+        .depthWriteEnable = pass.has_depth,
         .depthCompareOp = VK_COMPARE_OP_GREATER};
     const std::vector<VkPipelineColorBlendAttachmentState> written(targets.size(),
                                                                    {.colorWriteMask = 15});
@@ -248,7 +248,7 @@ int main() {
     try {
         VkDevice device = make_device();
         for (Pass pass; std::cin >> pass.name >> pass.vertex >> pass.fragment >> pass.attributes >>
-                        pass.targets >> pass.texture_count;)
+                        pass.targets >> pass.texture_count >> pass.has_depth;)
             print_statistics(device, make_pipeline(device, pass), pass.name);
     } catch (const NoDriver& reason) {
         std::cerr << reason.what() << '\n';

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <glm/trigonometric.hpp>
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
 #include "buffers/sample_grid.h"
 #include "core/error.h"
+#include "methods/mesh_lookup/lookup_table.h"
 
 namespace ink::methods {
 namespace {
@@ -170,33 +170,15 @@ std::vector<std::uint32_t> LookupPass::constants_of(const scene::PreparedScene& 
     return coded_ ? words_of(scene) : mesh_.face_of_triangle;
 }
 
-/// Words of codes, flags and faces. What codes cannot tell is flagged: a face at an edge of many,
-/// and both faces of an edge where codes and mesh disagree whether it is a line.
+/// Words of codes, flags and faces, per global triangle.
 std::vector<std::uint32_t> LookupPass::words_of(const scene::PreparedScene& scene) {
-    const std::size_t count = mesh_.faces.size();
-    LookupWord::require_room(count);
+    LookupWord::require_room(mesh_.faces.size());
     if (codes_.empty()) {
         SurfaceCodes codes(code_options(coded_->codes, surface_setup(coded_->codes)));
         codes.prepare(scene);
         codes_ = codes.object_codes(scene, coded_->codes.length_px);
     }
-    std::vector<std::uint32_t> words(count);
-    for (std::size_t t = 0; t < codes_.size(); ++t) {
-        const std::uint32_t face = mesh_.face_of_triangle[t];
-        if (face != kNoNeighbour) words[face] = codes_[t] << LookupWord::kCodeShift | face;
-    }
-    const auto code = [&](std::size_t face) {
-        return static_cast<int>(words[face] >> LookupWord::kCodeShift);
-    };
-    for (std::size_t f = 0; f < count; ++f) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Twin twin = mesh_.faces[f].twins[i];
-            if (twin.is_nothing()) continue;
-            const bool is_line = mesh_.faces[f].kinds[i] != LineKind::none;
-            if (twin.is_many() || is_line != (std::abs(code(f) - code(twin.face())) >= 2))
-                words[f] |= LookupWord::kFlag;
-        }
-    }
+    const std::vector<std::uint32_t> words = lookup_words(mesh_, codes_);
     std::vector<std::uint32_t> of_triangles = mesh_.face_of_triangle;
     for (std::uint32_t& face : of_triangles)
         if (face != kNoNeighbour) face = words[face];

@@ -57,6 +57,7 @@ CodedMesh coded_mesh(const scene::PreparedScene& scene) {
     CodedMesh mesh;
     mesh.added_count = flat.added_count(corners.vertices.size());
     mesh.indices = std::move(flat.indices);
+    mesh.lookup = methods::lookup_table(scene);
     for (std::size_t v = 0; v < flat.source_vertex.size(); ++v) {
         const auto& [of_patch, of_hull] = corners.vertices[flat.source_vertex[v]];
         mesh.p_world.emplace_back(patches->p_world[of_patch]);

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "methods/mesh_lookup/lookup_table.h"
 #include "scene/prepared_scene.h"
 
 namespace ink::bake {
@@ -21,6 +22,7 @@ struct CodedMesh {
     std::vector<std::uint8_t> surface8;   ///< code, 2..255
     std::vector<std::uint8_t> label8;     ///< label, 1..255
     std::vector<std::uint32_t> id;        ///< of the patch within its object, as `ids` draws it
+    methods::LookupTable lookup;          ///< faces and their neighbours, with vertices of its own
     std::size_t added_count = 0;          ///< vertices that only codes made necessary
 
     [[nodiscard]] std::size_t triangle_count() const { return indices.size() / 3; }

@@ -55,6 +55,8 @@ std::vector<std::uint8_t> mesh_bytes(const bake::CodedMesh& mesh) {
     append<std::int16_t>(bytes, packed_normals(mesh.hull_n_world));
     append(bytes, std::span(mesh.id));
     append(bytes, std::span(mesh.indices));
+    append(bytes, std::span(mesh.lookup.faces));
+    append(bytes, std::span(mesh.lookup.p_world));
     append(bytes, std::span(mesh.surface8));
     append(bytes, std::span(mesh.label8));
     return bytes;
@@ -117,6 +119,8 @@ Json data_json(const harness::SceneViews& scene_views,
                  {"triangle_count", mesh.triangle_count()},
                  {"vertex_count", mesh.vertex_count()},
                  {"added_count", mesh.added_count},
+                 {"face_count", mesh.lookup.faces.size()},
+                 {"point_count", mesh.lookup.p_world.size()},
                  {"center", point(bounds.center_world)},
                  {"radius", bounds.radius},
                  {"views", views}};

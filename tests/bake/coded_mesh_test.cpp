@@ -100,6 +100,26 @@ TEST(CodedMesh, KeepsTrianglesTheirWindingAndUnitNormals) {
     }
 }
 
+TEST(CodedMesh, FacesOfTheLookupKnowTheirNeighboursAndCodes) {
+    const CodedMesh mesh = coded_mesh(scene::scene_of({scene::unit_cube()}));
+    ASSERT_EQ(mesh.lookup.faces.size(), 12U);
+    EXPECT_EQ(mesh.lookup.p_world.size(), 8U);
+    for (std::uint32_t f = 0; f < 12; ++f) {
+        const methods::LookupTable::Face& face = mesh.lookup.faces[f];
+        int crease_count = 0;
+        for (unsigned i = 0; i < 3; ++i) {
+            const methods::Twin twin{face.twins[i]};
+            const methods::LookupTable::Face& next = mesh.lookup.faces.at(twin.face());
+            EXPECT_EQ(methods::Twin{next.twins.at(twin.edge())}.face(), f);
+            const auto kind = static_cast<methods::LineKind>(face.rest >> 3 * i & 7U);
+            crease_count += kind == methods::LineKind::crease ? 1 : 0;
+            EXPECT_EQ(face.patch == next.patch, kind == methods::LineKind::none);
+        }
+        EXPECT_EQ(crease_count, 2) << f;  // the third edge is the diagonal of a side
+        EXPECT_GE(face.rest >> 24U, 2U) << f;
+    }
+}
+
 TEST(CodedMesh, OfNothingIsNothing) {
     const CodedMesh mesh = coded_mesh(scene::Scene{});
     EXPECT_EQ(mesh.triangle_count(), 0U);

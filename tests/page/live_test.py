@@ -21,7 +21,7 @@ SHADERS = Path(PROGRAM).parent / "generated" / "shaders"  # whole
 SIZE = (320, 180)
 # The thresholds of the program's methods; 128 for what is not here.
 THRESHOLDS = {"roberts": 74, "decaudin": 146, "mote4": 6}
-MOST_SHADER_LINES = 60
+MOST_SHADER_LINES = {"surface_lookup": 190}  # 60 for what is not here
 # SwiftShader snaps vertices to 1/16 px and the program to 1/256 px: so much of the lines is the same.
 LEAST_EQUAL = 0.95
 
@@ -130,7 +130,7 @@ class LiveTest(BrowserTest):
         self.open_live()
         for method in self.script("return inkbench.methods"):
             text = (SHADERS / f"{method}.glsl").read_text()
-            self.assertLessEqual(len(text.splitlines()), MOST_SHADER_LINES, method)
+            self.assertLessEqual(len(text.splitlines()), MOST_SHADER_LINES.get(method, 60), method)
             self.assertEqual(self.script("return SHADERS[arguments[0]].text", method), text)
             self.script("choose({left: arguments[0]})", method)
             self.script("[...document.querySelectorAll('#methods button')].find(b => b.textContent.startsWith('Copy')).click()")

@@ -38,7 +38,8 @@ TEST(LivePage, HoldsTheMeshItsViewsAndTheShaders) {
     EXPECT_EQ(data["views"][0]["name"], "front");
     EXPECT_EQ(data["views"][0]["width_px"], 320);
     EXPECT_FALSE(data.contains("scores"));
-    for (const char* name : {"surface8",
+    for (const char* name : {"surface_lookup",
+                             "surface8",
                              "surface8_depth",
                              "label8",
                              "ids",
@@ -52,8 +53,12 @@ TEST(LivePage, HoldsTheMeshItsViewsAndTheShaders) {
     EXPECT_THAT(page, Not(HasSubstr("{{")));
     EXPECT_THAT(page, Not(HasSubstr("http://")));
     EXPECT_THAT(page, Not(HasSubstr("https://")));
-    // Floats, two normals, an id and two codes a vertex, and the indices, in base64.
-    const std::size_t bytes = data["vertex_count"].get<std::size_t>() * (12 + 8 + 8 + 4 + 2) + 144;
+    EXPECT_EQ(data["face_count"], 12);
+    EXPECT_EQ(data["point_count"], 8);
+    // Floats, two normals, an id and two codes a vertex, indices, and the tables of faces and
+    // points, in base64.
+    const std::size_t bytes = data["vertex_count"].get<std::size_t>() * (12 + 8 + 8 + 4 + 2) + 144 +
+                              12 * std::size_t{32} + 8 * std::size_t{16};
     const std::size_t begin = page.find("class=\"mesh\">") + std::string("class=\"mesh\">").size();
     EXPECT_EQ(page.find("</script>", begin) - begin, (bytes + 2) / 3 * 4);
 }

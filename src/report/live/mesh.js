@@ -36,6 +36,8 @@ function readMesh() {
         hull_normal: take(Int16Array, 4 * vertices),
         id: take(Uint32Array, vertices),
         indices: take(Uint32Array, 3 * DATA.triangle_count),
+        faces: take(Uint32Array, 8 * DATA.face_count),
+        points: take(Float32Array, 4 * DATA.point_count),
         surface8: take(Uint8Array, vertices),
         label8: take(Uint8Array, vertices),
     };

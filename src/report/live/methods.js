@@ -1,9 +1,11 @@
 // The methods that the page draws. Each has its shader's file; here stands what a file cannot say.
 
 /// `targets`: formats of the textures that the mesh is drawn into. `reads`: arrays of the mesh by the names
-/// that the shader has for them. `hasCorners`: samples are corners of pixels. `passes`: how often the mesh is
-/// drawn, with which uniforms and faces; once, both sides, unless it says otherwise.
+/// that the shader has for them; without, it reads the tables of faces and points. `hasCorners`: samples are
+/// corners of pixels. `passes`: how often the mesh is drawn, with which uniforms and faces; once, both sides,
+/// unless it says otherwise.
 const METHODS = {
+    surface_lookup: {targets: ['R32UI', 'R32UI'], hasCorners: true},
     surface8: {targets: ['R8UI'], reads: {_ink: 'surface8'}, hasCorners: true},
     surface8_depth: {targets: ['R8UI', 'R32UI'], reads: {_ink: 'surface8'}, hasCorners: true},
     label8: {targets: ['R8UI'], reads: {_ink: 'label8'}, hasCorners: true},

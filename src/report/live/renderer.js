@@ -9,6 +9,9 @@ const FORMATS = {
     RGBA8: gl => [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE],
 };
 
+/// Texels in a row of a table, as the shaders have it.
+const TABLE_WIDTH = 4096;
+
 class Renderer {
     /// Throws an Error with a sentence where there is no WebGL 2.
     constructor(canvas, mesh) {
@@ -18,7 +21,8 @@ class Renderer {
         this.targets = new Map();
         this.programs = new Map();
         this.layouts = new Map();
-        this.buffers = Object.fromEntries(Object.entries(mesh).map(([name, values]) => {
+        const {faces, points, ...arrays} = mesh;
+        this.buffers = Object.fromEntries(Object.entries(arrays).map(([name, values]) => {
             const kind = name === 'indices' ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
             const buffer = gl.createBuffer();
             gl.bindBuffer(kind, buffer);
@@ -26,11 +30,40 @@ class Renderer {
             return [name, buffer];
         }));
         this.empty = gl.createVertexArray();
+        this.tables = {
+            faces: this.table(faces, gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT),
+            points: this.table(points, gl.RGBA32F, gl.RGBA, gl.FLOAT),
+        };
         const clip = gl.getExtension('EXT_clip_control');
         this.isReversed = clip !== null;
         if (clip) clip.clipControlEXT(clip.LOWER_LEFT_EXT, clip.ZERO_TO_ONE_EXT);
         gl.disable(gl.DITHER);
         gl.disable(gl.BLEND);
+    }
+
+    /// Numbers as a texture of four a texel, 4096 texels a row.
+    table(values, format, layout, type) {
+        const {gl} = this;
+        const height = Math.max(1, Math.ceil(values.length / (4 * TABLE_WIDTH)));
+        const whole = new values.constructor(4 * TABLE_WIDTH * height);
+        whole.set(values);
+        const texture = gl.createTexture();
+        gl.bindTexture(gl.TEXTURE_2D, texture);
+        gl.texStorage2D(gl.TEXTURE_2D, 1, format, TABLE_WIDTH, height);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH, height, layout, type, whole);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+        return texture;
+    }
+
+    /// Binds textures by the names of their uniforms; null takes one away. Returns their units.
+    bind(textures) {
+        const {gl} = this;
+        return Object.fromEntries(Object.entries(textures).map(([name, texture], unit) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(gl.TEXTURE_2D, texture);
+            return [name, unit];
+        }));
     }
 
     /// What the browser says that draws.
@@ -126,13 +159,15 @@ class Renderer {
         gl.clearBufferfv(gl.DEPTH, 0, [this.isReversed ? 0 : 1]);
         gl.enable(gl.DEPTH_TEST);
         gl.depthFunc(this.isReversed ? gl.GREATER : gl.LESS);
-        gl.bindVertexArray(this.layout(name, program, reads));
+        gl.bindVertexArray(reads ? this.layout(name, program, reads) : this.empty);
         gl.useProgram(program.program);
+        const tables = reads ? {} : this.bind(this.tables);
         for (const pass of passes) {
             if (pass.hides) gl.enable(gl.CULL_FACE);
             if (pass.hides) gl.cullFace(gl[pass.hides]);
-            setUniforms(gl, program, {...values, ...pass});
-            gl.drawElements(gl.TRIANGLES, 3 * DATA.triangle_count, gl.UNSIGNED_INT, 0);
+            setUniforms(gl, program, {...values, ...tables, ...pass});
+            if (reads) gl.drawElements(gl.TRIANGLES, 3 * DATA.triangle_count, gl.UNSIGNED_INT, 0);
+            else gl.drawArrays(gl.TRIANGLES, 0, 3 * DATA.face_count);
         }
         gl.disable(gl.CULL_FACE);
         gl.disable(gl.DEPTH_TEST);
@@ -143,19 +178,12 @@ class Renderer {
         const {gl} = this;
         const program = this.program(name, 'screen', 'lines');
         gl.useProgram(program.program);
-        const units = Object.fromEntries(Object.keys(textures).map((key, unit) => [key, unit]));
-        Object.values(textures).forEach((texture, unit) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(gl.TEXTURE_2D, texture);
-        });
+        const units = this.bind(textures);
         setUniforms(gl, program, {...values, ...units});
         gl.bindVertexArray(this.empty);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         // What is drawn into next must not be read.
-        Object.keys(textures).forEach((_, unit) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(gl.TEXTURE_2D, null);
-        });
+        this.bind(Object.fromEntries(Object.keys(textures).map(name => [name, null])));
     }
 
     /// The lines of a method as a texture, 1 in its pixels. `use` tells apart what is needed at one time.
@@ -170,7 +198,8 @@ class Renderer {
         const lines = this.target(`lines ${use}`, ['R8'], width, height, false);
         gl.bindFramebuffer(gl.FRAMEBUFFER, lines.frame);
         gl.viewport(0, 0, width, height);
-        this.drawScreen(name, {codes: codes.textures[0], depths: codes.textures[1] || null}, values);
+        const drawn = {codes: codes.textures[0], depths: codes.textures[1] || null};
+        this.drawScreen(name, {...drawn, ...reads ? {} : this.tables}, values);
         return lines;
     }
 

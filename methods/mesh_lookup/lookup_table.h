@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "methods/mesh_lookup/lookup_mesh.h"
+#include "scene/prepared_scene.h"
+
+namespace ink::methods {
+
+/// Per face its word (side_lists.h), of codes per global triangle. What codes cannot tell is
+/// flagged: a face at an edge of many, and both faces of an edge where codes and mesh disagree
+/// whether it is a line.
+[[nodiscard]] std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
+                                                      const std::vector<std::uint32_t>& codes);
+
+/// What the shader of surface_lookup reads, at default parameters.
+struct LookupTable {
+    /// Corners and patch, and the twins of edges (Twin); the last has the face's code and flag in
+    /// its upper nine bits, as its word, and 3 bits for the kind of each edge in its lower nine.
+    struct Face {
+        std::array<std::uint32_t, 3> corners;
+        std::uint32_t patch;
+        std::array<std::uint32_t, 3> twins;
+        std::uint32_t rest;
+    };
+    std::vector<Face> faces;
+    std::vector<glm::vec4> p_world;  ///< the fourth is 1
+};
+
+/// Throws core::Error where faces are too many for words.
+[[nodiscard]] LookupTable lookup_table(const scene::PreparedScene& scene);
+
+}  // namespace ink::methods
