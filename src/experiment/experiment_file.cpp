@@ -189,15 +189,6 @@ std::optional<double> read_number(const core::TomlReader& table, const std::stri
     throw core::Error(table.where(key), fmt::format("{} is no number", key), "a number");
 }
 
-/// An angle that a camera can have.
-double checked_fov(double fov_deg) {
-    harness::CameraRequest any;
-    any.eye_world = {0, 0, 2};
-    any.fov_deg = fov_deg;
-    (void)harness::make_camera(any, {}, {{}, 1});
-    return fov_deg;
-}
-
 harness::CameraRequest read_camera(const core::TomlReader& table) {
     table.refuse_unknown({"eye", "target", "up", "fov_deg", "parallel_height"});
     harness::CameraRequest camera;
@@ -208,10 +199,11 @@ harness::CameraRequest read_camera(const core::TomlReader& table) {
     if (const auto up_world = read_point(table, "up"))
         camera.up_world = checked_direction(*up_world, {"up", table.where("up")});
     if (const auto fov_deg = read_number(table, "fov_deg"))
-        camera.fov_deg = at_place(table.where("fov_deg"), [&] { return checked_fov(*fov_deg); });
+        camera.fov_deg =
+            at_place(table.where("fov_deg"), [&] { return harness::checked_fov_deg(*fov_deg); });
     if (const auto height_world = read_number(table, "parallel_height"))
-        camera.height_world =
-            at_place(table.where("parallel_height"), [&] { return checked_height(*height_world); });
+        camera.height_world = at_place(table.where("parallel_height"),
+                                       [&] { return harness::checked_height(*height_world); });
     return camera;
 }
 

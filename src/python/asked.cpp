@@ -225,10 +225,10 @@ Camera::Camera(py::object eye_given,
                            ? experiment::parse_direction(up_text)
                            : experiment::checked_direction(point_of(up, up_text), up_text);
     if (parallel_height.is_none()) {
-        request.fov_deg = number_of(fov_deg, "--fov", "1..170");
+        request.fov_deg = harness::checked_fov_deg(number_of(fov_deg, "--fov", harness::kFovs_deg));
     } else {
-        request.height_world = experiment::checked_height(
-            number_of(parallel_height, "--parallel", "a length above 0"));
+        request.height_world =
+            harness::checked_height(number_of(parallel_height, "--parallel", harness::kHeights));
     }
 }
 

@@ -147,10 +147,11 @@ void read_fov(Experiment& e, const Given& given) {
         throw core::Error(given.front().where, "there is a --parallel beside it", "one of the two");
     const auto fov_deg = core::parse_number<double>(given.front().text);
     if (!fov_deg)
-        throw core::Error(
-            given.front().where, fmt::format("'{}' is no number", given.front().text), "1..170");
+        throw core::Error(given.front().where,
+                          fmt::format("'{}' is no number", given.front().text),
+                          harness::kFovs_deg);
     for (harness::CameraRequest& camera : cameras)
-        camera.fov_deg = *fov_deg;
+        camera.fov_deg = harness::checked_fov_deg(*fov_deg);
 }
 
 std::optional<harness::UpAxis> axis_called(const std::string& name) {
@@ -242,13 +243,6 @@ glm::dvec3 checked_direction(const glm::dvec3& direction, const core::GivenText&
     throw core::Error(given.where,
                       fmt::format("'{}' is no direction: its length is 0", given.text),
                       "X,Y,Z that are not all 0");
-}
-
-double checked_height(double height_world) {
-    if (height_world > 0 && std::isfinite(height_world)) return height_world;
-    throw core::Error("--parallel",
-                      fmt::format("the height seen cannot be {:g}", height_world),
-                      "a length above 0, in the scene's units");
 }
 
 void add_view_rows(OptionTable& table) {
@@ -361,7 +355,7 @@ void settle_views(harness::ViewRequest& request) {
     if (request.time_s && request.frame)
         throw core::Error("--time", "there is a --frame beside it", "one of the two");
     if (!request.height_world) return;
-    (void)checked_height(*request.height_world);
+    (void)harness::checked_height(*request.height_world);
     if (request.fit == harness::Fit::box)
         throw core::Error("--parallel", "--fit box finds the height", "one of the two");
     if (request.projections == std::vector{scene::ProjectionKind::perspective}) {

@@ -36,8 +36,4 @@ void settle_views(harness::ViewRequest& request);
 /// "X,Y,Z". Throws core::Error (where = the text's) for text that is no point.
 [[nodiscard]] glm::dvec3 parse_point(const core::GivenText& given);
 
-/// The height that a parallel camera sees. Throws core::Error (where = "--parallel") unless it is
-/// above 0.
-[[nodiscard]] double checked_height(double height_world);
-
 }  // namespace ink::experiment

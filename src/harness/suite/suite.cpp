@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <set>
 
@@ -179,14 +180,22 @@ void pose_as_asked(scene::Scene& scene, const ViewRequest& request) {
 
 }  // namespace
 
+double checked_fov_deg(double fov_deg) {
+    if (fov_deg >= 1 && fov_deg <= 170) return fov_deg;
+    throw core::Error(
+        "--fov", fmt::format("the field of view cannot be {:g} degrees", fov_deg), kFovs_deg);
+}
+
+double checked_height(double height_world) {
+    if (height_world > 0 && std::isfinite(height_world)) return height_world;
+    throw core::Error(
+        "--parallel", fmt::format("the height seen cannot be {:g}", height_world), kHeights);
+}
+
 scene::Camera make_camera(const CameraRequest& request,
                           const glm::dvec3& origin,
                           const scene::Sphere& bounds) {
-    if (!(request.fov_deg >= 1 && request.fov_deg <= 170)) {
-        throw core::Error("--fov",
-                          fmt::format("the field of view cannot be {:g} degrees", request.fov_deg),
-                          "1..170");
-    }
+    const double fov_rad = glm::radians(checked_fov_deg(request.fov_deg));
     const glm::dvec3 target_world =
         request.target_world ? *request.target_world - origin : bounds.center_world;
     const glm::dvec3 eye_world = request.eye_world - origin;
@@ -197,8 +206,7 @@ scene::Camera make_camera(const CameraRequest& request,
         return scene::parallel_camera(
             {target_world, way_world, request.up_world, *request.height_world}, bounds);
     }
-    scene::Camera camera =
-        scene::look_at(eye_world, target_world, request.up_world, glm::radians(request.fov_deg));
+    scene::Camera camera = scene::look_at(eye_world, target_world, request.up_world, fov_rad);
     scene::fit_clip_range(camera, bounds);
     return camera;
 }

@@ -90,8 +90,19 @@ struct SceneViews {
 /// z up, all others y.
 [[nodiscard]] UpAxis up_of(const ViewRequest& request, const std::string& what);
 
+/// What checked_fov_deg and checked_height accept.
+inline constexpr const char* kFovs_deg = "1..170";
+inline constexpr const char* kHeights = "a length above 0, in the scene's units";
+
+/// The angle of a pinhole. Throws core::Error (where = "--fov") unless it is one of kFovs_deg.
+[[nodiscard]] double checked_fov_deg(double fov_deg);
+
+/// The height that a parallel camera sees. Throws core::Error (where = "--parallel") unless it is
+/// above 0.
+[[nodiscard]] double checked_height(double height_world);
+
 /// The camera that `request` asks for on a scene of that origin (Scene::origin) and ball; without a
-/// name. Throws core::Error for a field of view outside 1..170 degrees, and as scene::look_at does.
+/// name. Throws core::Error as checked_fov_deg and scene::look_at do.
 [[nodiscard]] scene::Camera make_camera(const CameraRequest& request,
                                         const glm::dvec3& origin,
                                         const scene::Sphere& bounds);
