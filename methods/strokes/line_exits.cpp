@@ -80,7 +80,7 @@ bool is_seen(const StrokeFrame& frame, const Cell& cell, const LineEnd& end, std
     const auto owns = [&](const glm::ivec2& sample) {
         return is_own(frame, frame.faces.at(sample.x, sample.y), face);
     };
-    if (!lines.empty() || owns(side.from) || owns(side.to()))
+    if (!lines.empty() || (owns(side.from) && owns(side.to())))
         return *surface <= end.q * (1 + kSameQ);
     const scene::DepthSlope least = kInFront_px * frame.screen.projection().q_per_px();
     return *surface <= end.q * (1 - kSameQ - least.of_q) - least.constant;

@@ -282,6 +282,35 @@ TEST(GreyLines, NarrowPartsAreFollowedWhereNoSampleIs) {
     EXPECT_LT(apart, 0.02 * all);
 }
 
+TEST(GreyLines, PartsThatJoinInAPlaneHaveNoLineBetweenThem) {
+    // A corner of the lower two lies on the upper one's border; what stands before them shows it.
+    scene::Mesh parts, whole, before;
+    parts.positions = {{-1, 1, 0},
+                       {1, 1, 0},
+                       {1, 0.1, 0},
+                       {-1, 0.1, 0},
+                       {0, 0.1, 0},
+                       {-1, -1, 0},
+                       {0, -1, 0},
+                       {1, -1, 0}};
+    parts.triangles = {{3, 2, 1}, {3, 1, 0}, {5, 6, 4}, {5, 4, 3}, {6, 7, 2}, {6, 2, 4}};
+    whole.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    before.positions = {{-0.43, -0.5, 0.3}, {0.31, -0.5, 0.3}, {0.31, 0.6, 0.3}, {-0.43, 0.6, 0.3}};
+    whole.triangles = before.triangles = {{0, 1, 2}, {0, 2, 3}};
+    scene::View view;
+    view.camera = scene::look_at({0.7, 0.5, 5}, {0, 0, 0.15}, {0.15, 1, 0}, 0.5236);
+    view.width_px = 320;
+    view.height_px = 180;
+    for (const std::string method : kMethods) {
+        const auto joined = drawn(method, {}, scene_of({parts, before}), {view, 1});
+        const auto one = drawn(method, {}, scene_of({whole, before}), {view, 1});
+        int apart_px = 0;
+        for (std::size_t i = 0; i < one.size(); ++i)
+            apart_px += std::abs(joined.data()[i] - one.data()[i]) > 4 ? 1 : 0;
+        EXPECT_LE(apart_px, 8) << method << ": of a border of 100 px";
+    }
+}
+
 TEST(GreyLines, TakePartAsInk) {
     for (const std::string method : kMethods) {
         EXPECT_TRUE(draws_ink(find_method(method)));
