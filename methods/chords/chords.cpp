@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "methods/grey_lines/ink_method.h"
 #include "methods/grey_lines/lined_sides.h"
@@ -26,19 +25,19 @@ class Chords : public InkMethod {
         return add_ink_params(table);
     }
     explicit Chords(const Params& params)
-        : InkMethod(params), most_half_px_(static_cast<float>(params.width_px / 2)) {}
+        : InkMethod("chords", params), most_half_px_(static_cast<float>(params.width_px / 2)) {}
 
   private:
     static constexpr std::size_t kMostOfSide = 2;
     static constexpr std::size_t kMostOfCell = 4 * kMostOfSide;
     /// A crossing in the frame.
     struct Crossed {
-        glm::dvec2 at{0};
-        float half_px = 0;
-        std::uint16_t edge = 0;
+        glm::dvec2 at;
+        float half_px;
+        std::uint16_t edge;
     };
 
-    void begin(int width_px, int height_px) override { sides_.reset(width_px, height_px); }
+    void begin(const raster::TileGrid& samples) override { sides_.reset(samples); }
 
     void look(const raster::Tile& tile) override {
         const LineWidths widths = this->widths();
@@ -55,7 +54,7 @@ class Chords : public InkMethod {
 
     [[nodiscard]] ChordEnd end_of(const Crossing& line, float half_px) const {
         const auto byte = [](double share) {
-            return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+            return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0, 1.0) + 0.5);
         };
         return {byte(line.s), byte(half_px / most_half_px_), name_of(line)};
     }
@@ -107,6 +106,7 @@ class Chords : public InkMethod {
     static void join_cell(const glm::dvec2& middle,
                           std::span<Crossed> crossed,
                           std::vector<Piece>& pieces) {
+        if (crossed.size() == 2) return pieces.push_back(chord(crossed[0], crossed[1]));
         std::size_t left = 0;
         for (std::size_t i = 0; i < crossed.size(); ++i) {
             const auto known =
@@ -125,7 +125,7 @@ class Chords : public InkMethod {
         }
         const std::span<Crossed> rest = crossed.first(left);
         if (rest.size() == 2) return pieces.push_back(chord(rest[0], rest[1]));
-        Crossed star{.at = rest.size() == 1 ? middle : glm::dvec2(0)};
+        Crossed star{.at = rest.size() == 1 ? middle : glm::dvec2(0), .half_px = 0, .edge = 0};
         for (const Crossed& end : rest) {
             if (rest.size() > 1) star.at += end.at / static_cast<double>(rest.size());
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/parallel.h"
 #include "raster/pass/pass.h"
@@ -11,9 +12,6 @@ namespace ink::methods {
 namespace {
 
 using raster::kTileSize_px;
-
-/// How far a pen reaches beyond its radius into what is asked of a quarter of a pixel, and a bit.
-constexpr double kReach_px = 0.37;
 
 InkPiece seen_from(const Piece& piece, const glm::ivec2& origin) {
     const glm::dvec2 a = piece.a - glm::dvec2(origin), way = piece.b - piece.a;
@@ -25,6 +23,9 @@ InkPiece seen_from(const Piece& piece, const glm::ivec2& origin) {
                  .half_more_px = piece.half_b_px - piece.half_a_px};
     const float length2 = ink.dx * ink.dx + ink.dy * ink.dy;
     ink.per_length2 = length2 > 1e-12F ? 1 / length2 : 0;
+    const float reach = std::max(piece.half_a_px, piece.half_b_px) + kPenReach_px;
+    ink.y_low = std::min(ink.y, ink.y + ink.dy) - reach;
+    ink.y_high = std::max(ink.y, ink.y + ink.dy) + reach;
     return ink;
 }
 
@@ -41,15 +42,19 @@ class Guests {
 
   private:
     void send(const Piece& piece, int own) {
-        const double reach = std::max(piece.half_a_px, piece.half_b_px) + kReach_px;
+        const double reach = std::max(piece.half_a_px, piece.half_b_px) + kPenReach_px + 0.01;
+        const glm::dvec2 low = glm::min(piece.a, piece.b) - reach;
+        const glm::dvec2 high = glm::max(piece.a, piece.b) + reach;
+        const glm::dvec2 begin(kTileSize_px * glm::ivec2(own % columns_, own / columns_));
+        const bool is_at_home = low.x >= begin.x && low.y >= begin.y &&
+                                high.x < begin.x + kTileSize_px && high.y < begin.y + kTileSize_px;
+        if (is_at_home) return;
         const auto tile = [&](double at) {
             return static_cast<int>(std::floor(at)) >> std::countr_zero(unsigned{kTileSize_px});
         };
         const int rows = static_cast<int>(of_.size()) / columns_;
-        const int x0 = std::max(tile(std::min(piece.a.x, piece.b.x) - reach), 0);
-        const int y0 = std::max(tile(std::min(piece.a.y, piece.b.y) - reach), 0);
-        const int x1 = std::min(tile(std::max(piece.a.x, piece.b.x) + reach), columns_ - 1);
-        const int y1 = std::min(tile(std::max(piece.a.y, piece.b.y) + reach), rows - 1);
+        const int x0 = std::max(tile(low.x), 0), x1 = std::min(tile(high.x), columns_ - 1);
+        const int y0 = std::max(tile(low.y), 0), y1 = std::min(tile(high.y), rows - 1);
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x)
                 if (y * columns_ + x != own)
@@ -83,8 +88,8 @@ void draw_pieces(const std::vector<std::vector<Piece>>& of_tiles,
         glm::ivec2 first;
         const InkTile pixels = pixels_of(cells, frame.margin_px, first, out);
         if (pixels.width_px == 0 || pixels.height_px == 0) return;
-        std::vector<InkPiece> pieces;
-        pieces.reserve(of_tiles[i].size() + guests.of(i).size());
+        static thread_local std::vector<InkPiece> pieces;
+        pieces.clear();
         const glm::ivec2 origin = first + frame.margin_px;
         for (const Piece& piece : of_tiles[i])
             pieces.push_back(seen_from(piece, origin));

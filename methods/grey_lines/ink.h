@@ -16,7 +16,12 @@ struct InkPiece {
     float per_length2 = 0;   ///< 1 / (dx^2 + dy^2); 0 of a point
     float half_px = 0;       ///< half its width at (x, y)
     float half_more_px = 0;  ///< and how much more at the other end
+    float y_low = 0;         ///< of what it may reach
+    float y_high = 0;
 };
+
+/// How far a pen reaches beyond its radius into what is asked of a quarter of a pixel.
+inline constexpr float kPenReach_px = 0.36F;
 
 /// A tile of an image, row by row.
 struct InkTile {

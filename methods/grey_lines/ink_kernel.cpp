@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -22,34 +23,49 @@ using Lanes = hn::CappedTag<float, kMostLanes>;
 /// many rows of pixels stays in the nearest cache.
 constexpr int kStripRows = 16;
 constexpr std::size_t kPoints = 128 + 16;  ///< in a row, and a vector more
+using Points = std::array<float, 2 * kStripRows * kPoints>;
 
 /// The nearest line at each point of a strip: by how much the pen reaches over it, and the way from
 /// there to the line's middle.
 struct Strip {
-    using Row = std::array<float, kPoints>;
-    std::array<Row, 2 * kStripRows> over;
-    std::array<Row, 2 * kStripRows> way_x;
-    std::array<Row, 2 * kStripRows> way_y;
+    Points over, way_x, way_y;
     std::array<std::uint64_t, kStripRows> touched;  ///< pixels, a bit each
 
     void clear() {
-        for (Row& row : over)
-            row.fill(-1);
+        over.fill(-1);
         touched.fill(0);
     }
 };
 
-/// Points from the first to the last that a stroke may reach.
+/// Points from the first to the last that a stroke may reach which runs from `low` to `high`.
 struct Reach {
     int first, last;
 
-    Reach(float from, float way, float reach, int points) {
-        const float low = std::min(from, from + way) - reach;
-        const float high = std::max(from, from + way) + reach;
+    Reach(float low, float high, float reach, int points) {
         // Clamped before: what is far outside has no number of a point.
         const auto most = static_cast<float>(points);
-        first = static_cast<int>(std::ceil(std::clamp(2 * low - 0.5F, 0.0F, most)));
-        last = static_cast<int>(std::floor(std::clamp(2 * high - 0.5F, -1.0F, most - 1)));
+        first = static_cast<int>(std::ceil(std::clamp(2 * (low - reach) - 0.5F, 0.0F, most)));
+        last = static_cast<int>(std::floor(std::clamp(2 * (high + reach) - 0.5F, -1.0F, most - 1)));
+    }
+};
+
+/// Where a long piece that runs aslant is near a row of points.
+struct Aslant {
+    float slope, low_y, high_y;
+
+    explicit Aslant(const InkPiece& piece)
+        : slope(piece.dx / piece.dy),
+          low_y(std::min(0.0F, piece.dy)),
+          high_y(std::max(0.0F, piece.dy)) {}
+    [[nodiscard]] static bool is(const InkPiece& piece) {
+        constexpr float kShort_px = 1.5F;
+        return std::abs(piece.dx) > kShort_px && std::abs(piece.dy) > kShort_px;
+    }
+    /// In a row so far below its first end.
+    [[nodiscard]] Reach columns(float x, float y, float reach, int points) const {
+        const float from = x + slope * std::clamp(y - reach, low_y, high_y);
+        const float to = x + slope * std::clamp(y + reach, low_y, high_y);
+        return {std::min(from, to), std::max(from, to), reach, points};
     }
 };
 
@@ -57,21 +73,27 @@ struct Reach {
 HWY_INLINE void reach_over(const InkPiece& piece, int width_px, int y0, Strip& strip) {
     const Lanes d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    const float reach = std::max(piece.half_px, piece.half_px + piece.half_more_px) + 0.36F;
     const auto top = static_cast<float>(y0);
-    const Reach rows(piece.y - top, piece.dy, reach, 2 * kStripRows);
-    const Reach columns(piece.x, piece.dx, reach, 2 * width_px);
-    if (rows.first > rows.last || columns.first > columns.last) return;
-    const int x0 = columns.first / 2, x1 = columns.last / 2;
-    const std::uint64_t pixels = (~std::uint64_t{0} >> (63 - (x1 - x0))) << x0;
+    if (piece.y_high < top || piece.y_low > top + kStripRows) return;
+    const float reach = std::max(piece.half_px, piece.half_px + piece.half_more_px) + kPenReach_px;
+    const Reach rows(piece.y_low - top, piece.y_high - top, 0, 2 * kStripRows);
+    const bool is_aslant = Aslant::is(piece);
+    Reach columns(piece.x + std::min(0.0F, piece.dx),
+                  piece.x + std::max(0.0F, piece.dx),
+                  reach,
+                  2 * width_px);
     const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F);
     const auto along_x = hn::Set(d, piece.dx), along_y = hn::Set(d, piece.dy);
     for (int j = rows.first; j <= rows.last; ++j) {
         const auto at = static_cast<std::size_t>(j);
-        strip.touched[at / 2] |= pixels;
         const float from_y = top + (static_cast<float>(j) + 0.5F) / 2 - piece.y;
+        if (is_aslant) columns = Aslant(piece).columns(piece.x, from_y, reach, 2 * width_px);
+        if (columns.first > columns.last) continue;
+        const int x0 = columns.first / 2, x1 = columns.last / 2;
+        strip.touched[at / 2] |= (~std::uint64_t{0} >> (63 - (x1 - x0))) << x0;
         const auto y = hn::Set(d, from_y), y_along = hn::Set(d, from_y * piece.dy);
-        for (int i = columns.first; i <= columns.last; i += lanes) {
+        // Where vectors begin is the same for all pieces: what one has stored the next loads whole.
+        for (int i = columns.first & -lanes; i <= columns.last; i += lanes) {
             const auto points = hn::Add(hn::Iota(d, static_cast<float>(i)), hn::Set(d, 0.5F));
             const auto x = hn::Sub(hn::Mul(points, hn::Set(d, 0.5F)), hn::Set(d, piece.x));
             const auto along =
@@ -83,21 +105,22 @@ HWY_INLINE void reach_over(const InkPiece& piece, int width_px, int y0, Strip& s
             const auto half =
                 hn::Add(hn::Set(d, piece.half_px), hn::Mul(t, hn::Set(d, piece.half_more_px)));
             const auto over = hn::Sub(half, length);
-            float* const known = &strip.over[at][static_cast<std::size_t>(i)];
+            const std::size_t point = at * kPoints + static_cast<std::size_t>(i);
+            float* const known = &strip.over[point];
             const auto before = hn::LoadU(d, known);
             const auto is_further = hn::Gt(over, before);
             hn::StoreU(hn::IfThenElse(is_further, over, before), d, known);
-            hn::BlendedStore(way_x, is_further, d, &strip.way_x[at][static_cast<std::size_t>(i)]);
-            hn::BlendedStore(way_y, is_further, d, &strip.way_y[at][static_cast<std::size_t>(i)]);
+            hn::BlendedStore(way_x, is_further, d, &strip.way_x[point]);
+            hn::BlendedStore(way_y, is_further, d, &strip.way_y[point]);
         }
     }
 }
 
-/// The direction of a straight side of a stroke: of its normal the larger and the smaller
-/// coordinate, without signs.
+/// The direction of a straight side of a stroke: of a way across it the larger and the smaller
+/// coordinate, without signs, its length, and what they are always asked for.
 template <class V>
 struct Slope {
-    V larger, smaller;
+    V larger, smaller, length, per_larger, per_corner;
 };
 
 /// The share of a unit square that lies on the near side of a straight line which passes its middle
@@ -105,34 +128,63 @@ struct Slope {
 template <class D, class V>
 HWY_INLINE V share_within(D d, const Slope<V>& slope, V x) {
     const auto half = hn::Set(d, 0.5F), one = hn::Set(d, 1.0F);
-    const auto left = hn::Sub(hn::Mul(hn::Add(slope.larger, slope.smaller), half), hn::Abs(x));
-    const auto corner = hn::Div(hn::Mul(left, left),
-                                hn::Mul(hn::Mul(hn::Set(d, 2.0F), slope.larger), slope.smaller));
-    const auto trapezium = hn::Div(hn::Sub(left, hn::Mul(slope.smaller, half)), slope.larger);
+    // As long as the way is: of what that is a share, it is no matter.
+    const auto left = hn::Sub(hn::Mul(hn::Add(slope.larger, slope.smaller), half),
+                              hn::Mul(hn::Abs(x), slope.length));
+    const auto corner = hn::Mul(hn::Mul(left, left), slope.per_corner);
+    const auto trapezium = hn::Mul(hn::Sub(left, hn::Mul(slope.smaller, half)), slope.per_larger);
     auto less = hn::IfThenElse(hn::Lt(left, slope.smaller), corner, trapezium);
     less = hn::IfThenElseZero(hn::Gt(left, hn::Zero(d)), less);
     return hn::IfThenElse(hn::Gt(x, hn::Zero(d)), hn::Sub(one, less), less);
 }
 
-/// The share of each quarter that the pen covers, which reaches over its middle.
+/// The share of each quarter that the pen covers, which reaches over its middle, or nearly.
 template <class D, class V>
 HWY_INLINE V share(D d, V over, V way_x, V way_y) {
+    const auto one = hn::Set(d, 1.0F);
     const auto length = hn::Sqrt(hn::Add(hn::Mul(way_x, way_x), hn::Mul(way_y, way_y)));
     const auto x = hn::Abs(way_x), y = hn::Abs(way_y);
     const auto is_known = hn::Gt(length, hn::Set(d, 1e-6F));
-    const auto per_length = hn::Div(hn::Set(d, 1.0F), length);
-    const Slope<V> slope{
-        hn::IfThenElse(is_known, hn::Mul(hn::Max(x, y), per_length), hn::Set(d, 1.0F)),
-        hn::IfThenElseZero(is_known, hn::Mul(hn::Min(x, y), per_length))};
+    const auto larger = hn::IfThenElse(is_known, hn::Max(x, y), one);
+    const auto smaller = hn::IfThenElseZero(is_known, hn::Min(x, y));
+    const Slope<V> slope{larger,
+                         smaller,
+                         hn::IfThenElse(is_known, length, one),
+                         hn::Div(one, larger),
+                         hn::Div(hn::Set(d, 0.5F), hn::Mul(larger, smaller))};
     const auto near_side = hn::Add(over, over);
     const auto width = hn::Mul(hn::Set(d, 4.0F), hn::Add(over, length));
     const auto far_side = hn::Sub(near_side, width);
-    auto inside = share_within(d, slope, near_side);
-    const auto is_reached = hn::Gt(over, hn::Set(d, -0.5F));
+    const auto inside = share_within(d, slope, near_side);
     // Of lines that are wide enough, none of the far side is seen.
-    const auto is_narrow = hn::And(is_reached, hn::Gt(far_side, hn::Set(d, -0.75F)));
-    if (!hn::AllFalse(d, is_narrow)) inside = hn::Sub(inside, share_within(d, slope, far_side));
-    return hn::IfThenElseZero(is_reached, inside);
+    if (hn::AllFalse(d, hn::Gt(far_side, hn::Set(d, -0.75F)))) return inside;
+    return hn::Sub(inside, share_within(d, slope, far_side));
+}
+
+/// Puts shares in the place of `over` at all points of the pixels that pieces came near, and of
+/// their neighbours in vectors: 0 where no pen reaches.
+HWY_INLINE void find_shares(Strip& strip) {
+    const Lanes d;
+    const std::size_t lanes = hn::Lanes(d);
+    const std::uint64_t own = (std::uint64_t{1} << lanes) - 1;
+    for (std::size_t row = 0; row < 2 * kStripRows; ++row) {
+        for (std::uint64_t rest = strip.touched[row / 2]; rest != 0;) {
+            const std::size_t x = static_cast<std::size_t>(std::countr_zero(rest)) & ~(lanes - 1);
+            rest &= ~(own << x);
+            for (const std::size_t i : {2 * x, 2 * x + lanes}) {
+                const std::size_t point = row * kPoints + i;
+                const auto over = hn::LoadU(d, &strip.over[point]);
+                const auto is_reached = hn::Gt(over, hn::Set(d, -0.5F));
+                auto shares = hn::Zero(d);
+                if (!hn::AllFalse(d, is_reached))
+                    shares = share(d,
+                                   over,
+                                   hn::LoadU(d, &strip.way_x[point]),
+                                   hn::LoadU(d, &strip.way_y[point]));
+                hn::StoreU(hn::IfThenElseZero(is_reached, shares), d, &strip.over[point]);
+            }
+        }
+    }
 }
 
 /// The ink of as many pixels as a vector has lanes, from point `i` of a pair of rows on.
@@ -140,11 +192,9 @@ template <class D>
 HWY_INLINE auto ink_of(D d, const Strip& strip, std::size_t row, std::size_t i) {
     auto sum = hn::Zero(d);
     for (const std::size_t at : {2 * row, 2 * row + 1}) {
-        auto over0 = sum, over1 = sum, x0 = sum, x1 = sum, y0 = sum, y1 = sum;
-        hn::LoadInterleaved2(d, &strip.over[at][i], over0, over1);
-        hn::LoadInterleaved2(d, &strip.way_x[at][i], x0, x1);
-        hn::LoadInterleaved2(d, &strip.way_y[at][i], y0, y1);
-        sum = hn::Add(sum, hn::Add(share(d, over0, x0, y0), share(d, over1, x1, y1)));
+        auto left = sum, right = sum;
+        hn::LoadInterleaved2(d, &strip.over[at * kPoints + i], left, right);
+        sum = hn::Add(sum, hn::Add(left, right));
     }
     return hn::NearestInt(hn::Mul(sum, hn::Set(d, 255.0F / 4)));
 }
@@ -175,6 +225,7 @@ void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
         strip.clear();
         for (const InkPiece& piece : pieces)
             reach_over(piece, tile.width_px, y0, strip);
+        find_shares(strip);
         const int rows = std::min(kStripRows, tile.height_px - y0);
         for (int row = 0; row < rows; ++row)
             write_row(strip,

@@ -5,21 +5,9 @@
 #include "buffers/each_tile.h"
 #include "core/parallel.h"
 #include "methods/grey_lines/ink.h"
-#include "raster/pass/bin.h"
 #include "scene/views/corner_view.h"
 
 namespace ink::methods {
-namespace {
-
-CodedLookup coded(const InkParams& params) {
-    SurfaceCodeParams codes;
-    codes.crease_deg = params.crease_deg;
-    codes.weld_epsilon = params.weld_epsilon;
-    return {.codes = codes, .jump_px = params.jump_px, .trust = 4};
-}
-
-}  // namespace
-
 AskedSides::AskedSides(const LookupPass& pass, const raster::Tile& tile) {
     const ScreenMesh& screen = pass.screen();
     SideList list;
@@ -39,15 +27,16 @@ AskedSides::AskedSides(const LookupPass& pass, const raster::Tile& tile) {
     }
 }
 
-InkMethod::InkMethod(const InkParams& params)
-    : SurfaceMethod(params, coded(params)), params_(params) {}
+InkMethod::InkMethod(std::string_view name, const InkParams& params)
+    : SurfaceMethod(params, CodedLookup{.method = name, .jump_px = params.jump_px, .trust = 4}),
+      params_(params) {}
 
 raster::SkipCounts InkMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
     const int margin_px = static_cast<int>(std::ceil(params_.width_px / 2));
     method::Frame grown = frame;
     grown.view = scene::grown_view(frame.view, 2 * margin_px);
     const raster::TileGrid grid{grown.view.width_px + 1, grown.view.height_px + 1, 0};
-    begin(grid.width_px, grid.height_px);
+    begin(grid);
     buffers::EachTile sink([&](const raster::Tile& tile) {
         if (!tile.is_empty) look(tile);
     });

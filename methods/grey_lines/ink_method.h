@@ -8,6 +8,7 @@
 #include "methods/grey_lines/line_widths.h"
 #include "methods/grey_lines/piece.h"
 #include "methods/mesh_lookup/lookup_method.h"
+#include "raster/pass/bin.h"
 
 namespace ink::methods {
 
@@ -38,10 +39,10 @@ class InkMethod : public buffers::SurfaceMethod<LookupPass> {
     static constexpr bool kDrawsInk = true;
 
   protected:
-    explicit InkMethod(const InkParams& params);
+    InkMethod(std::string_view name, const InkParams& params);
 
-    /// Called first, for a frame of so many samples.
-    virtual void begin(int width_px, int height_px) = 0;
+    /// Called first, for a frame of samples.
+    virtual void begin(const raster::TileGrid& samples) = 0;
     /// Finds the lines of a tile that is not empty. From several threads, each with its own tile.
     virtual void look(const raster::Tile& tile) = 0;
     /// Appends the pieces of all cells of tile `tile`, once all tiles were looked at. Likewise.
@@ -50,7 +51,7 @@ class InkMethod : public buffers::SurfaceMethod<LookupPass> {
     /// The widths in the frame that is drawn.
     [[nodiscard]] LineWidths widths() const { return {params_, pass().inputs().range()}; }
     /// Calls found(x, y, is_down, lines) for each side of a tile between whose samples lines are,
-    /// in the order that LinedSides asks for; (x, y) is of the frame.
+    /// row by row; (x, y) is of the frame.
     template <class Found>
     void each_lined_side(const raster::Tile& tile, const Found& found) const;
 
@@ -75,6 +76,7 @@ void InkMethod::each_lined_side(const raster::Tile& tile, const Found& found) co
     const auto face = [](std::uint32_t word) {
         return word == kNoNeighbour ? word : word & LookupWord::kFaceOfCoded;
     };
+    SideLines lines;
     for (int y = 0; y < tile.height_px; ++y) {
         const auto* const words = tile.row<std::uint32_t>(0, y);
         for (const bool is_down : {false, true}) {
@@ -86,7 +88,7 @@ void InkMethod::each_lined_side(const raster::Tile& tile, const Found& found) co
                                       is_down,
                                       face(words[x]),
                                       face(words[is_down ? x + tile.stride : x + 1])};
-                const SideLines lines = pass().screen().lines_between(side);
+                pass().screen().lines_between(side, lines);
                 if (lines.count > 0) found(side.x, side.y, is_down, lines);
             }
         }

@@ -4,7 +4,7 @@
 
 namespace ink::methods {
 
-/// A straight piece of a line, no longer than a pixel's diagonal, in samples: sample (x, y) lies at
+/// A straight piece of a line in samples: sample (x, y) lies at
 /// (x, y). A round pen draws it, whose radius runs evenly from the one end to the other.
 struct Piece {
     glm::dvec2 a{0};

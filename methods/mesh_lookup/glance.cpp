@@ -10,6 +10,8 @@ namespace {
 constexpr double kMeeting = 1e-6;
 /// Lines up to half of 1/256 px beyond the far sample are seen from here.
 constexpr double kFarthest = 1 + 0.5 / 256;
+/// Before the far sample by more than a snapping.
+constexpr double kWithin = 1 - 1.0 / 256;
 
 }  // namespace
 
@@ -160,6 +162,12 @@ bool ScreenMesh::glimpse_lines(const SampleSide& side, SideLines& lines) const {
     }
     const Glance there(*this, side, false);
     if (there.has_arrived()) return true;
+    // The edge at which the other sample's face begins is where a walk from there would stop.
+    if (there.is_line() && there.s() >= 0 && there.s() < kWithin && !there.twin().is_nothing() &&
+        there.twin().face() == side.second) {
+        lines.add(there.crossing());
+        return true;
+    }
     const Glance back(*this, side, true);
     if (back.has_arrived()) return true;
     if (!there.is_line() || !back.is_line()) return false;

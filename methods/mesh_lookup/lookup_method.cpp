@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <glm/trigonometric.hpp>
+#include <string>
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
 #include "buffers/sample_grid.h"
 #include "core/error.h"
 #include "methods/mesh_lookup/lookup_table.h"
+#include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {
 namespace {
@@ -147,9 +149,9 @@ LookupPass::LookupPass(const LookupParams& params, const std::optional<CodedLook
       params_(params),
       coded_(coded) {}
 
-void LookupWord::require_room(std::size_t faces) {
+void LookupWord::require_room(std::string_view method, std::size_t faces) {
     if (faces < kFaceOfCoded) return;
-    throw core::Error("surface_lookup",
+    throw core::Error(std::string(method),
                       fmt::format("{} triangles", faces),
                       fmt::format("less than {}", kFaceOfCoded));
 }
@@ -172,11 +174,14 @@ std::vector<std::uint32_t> LookupPass::constants_of(const scene::PreparedScene& 
 
 /// Words of codes, flags and faces, per global triangle.
 std::vector<std::uint32_t> LookupPass::words_of(const scene::PreparedScene& scene) {
-    LookupWord::require_room(mesh_.faces.size());
+    LookupWord::require_room(coded_->method, mesh_.faces.size());
     if (codes_.empty()) {
-        SurfaceCodes codes(code_options(coded_->codes, surface_setup(coded_->codes)));
+        SurfaceCodeParams params;
+        params.crease_deg = params_.crease_deg;
+        params.weld_epsilon = params_.weld_epsilon;
+        SurfaceCodes codes(code_options(params, surface_setup(params)));
         codes.prepare(scene);
-        codes_ = codes.object_codes(scene, coded_->codes.length_px);
+        codes_ = codes.object_codes(scene, params.length_px);
     }
     const std::vector<std::uint32_t> words = lookup_words(mesh_, codes_);
     std::vector<std::uint32_t> of_triangles = mesh_.face_of_triangle;

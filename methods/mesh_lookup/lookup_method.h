@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "buffers/constant_pass.h"
@@ -8,7 +9,6 @@
 #include "methods/mesh_lookup/lookup_mesh.h"
 #include "methods/mesh_lookup/screen_mesh.h"
 #include "methods/mesh_lookup/side_lists.h"
-#include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {
 
@@ -39,7 +39,7 @@ core::ParamTable<P>& add_lookup_params(core::ParamTable<P>& table) {
 
 /// Which sides need no look-up: what codes of the surface tell, and depths.
 struct CodedLookup {
-    SurfaceCodeParams codes;
+    std::string_view method;  ///< who asks
     double jump_px = 0;
     int trust = 0;
 };

@@ -79,8 +79,9 @@ class ScreenMesh {
     [[nodiscard]] FoundLine line_between(const SampleSide& side) const;
 
     /// All lines between two samples that differ, those included over which the surface goes on,
-    /// and what each is the line of. line_between() tells of the same sides whether there is one.
-    [[nodiscard]] SideLines lines_between(const SampleSide& side) const;
+    /// and what each is the line of, in `lines`, instead of what these were. line_between() tells
+    /// of the same sides whether there is one.
+    void lines_between(const SampleSide& side, SideLines& lines) const;
 
     /// What can be told of a side without depths and classes.
     enum class Glimpse { unknown, none, line };

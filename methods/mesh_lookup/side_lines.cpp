@@ -155,10 +155,9 @@ class ScreenMesh::SideSearch {
     SideLines& lines_;
 };
 
-SideLines ScreenMesh::lines_between(const SampleSide& side) const {
-    SideLines lines;
+void ScreenMesh::lines_between(const SampleSide& side, SideLines& lines) const {
+    lines.count = 0;
     if (!glimpse_lines(side, lines)) SideSearch(*this, side, lines).run();
-    return lines;
 }
 
 }  // namespace ink::methods

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "methods/mesh_lookup/lookup_mesh.h"
 #include "raster/pass/pass.h"
@@ -16,7 +17,7 @@ struct LookupWord {
     static constexpr int kCodeShift = 24;
 
     /// Throws core::Error if so many faces have no numbers.
-    static void require_room(std::size_t faces);
+    static void require_room(std::string_view method, std::size_t faces);
 };
 
 /// What codes and depths decide without the mesh, of words that hold codes.

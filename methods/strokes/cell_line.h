@@ -96,6 +96,9 @@ struct CellSide {
     }
 };
 
+/// The sides of a cell, a bit each, on which a place is, or as good as.
+[[nodiscard]] unsigned near_sides(const Cell& cell, const glm::dvec2& at);
+
 /// The end of a line in a cell at `t` of its length, at a vertex or where it leaves.
 [[nodiscard]] LineEnd end_in_cell(const Line& line, const Cell& cell, double t);
 
@@ -104,6 +107,6 @@ struct CellSide {
 [[nodiscard]] bool is_seen(const StrokeFrame& frame,
                            const Cell& cell,
                            const LineEnd& end,
-                           std::uint32_t face);
+                           const Line& line);
 
 }  // namespace ink::methods

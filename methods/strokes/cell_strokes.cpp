@@ -1,5 +1,6 @@
 #include "methods/strokes/cell_strokes.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -10,6 +11,7 @@ constexpr double kBehind = 1e-4;     ///< relative: of 1/w, what cannot hide
 constexpr double kOvershoot = 0.05;  ///< of its length in the cell, by which a line may cut another
 constexpr double kSamePlace_px = 0.02;
 constexpr double kFarthest_px = 1.5;  ///< ends of one cell are no farther apart
+constexpr double kSamePart = 1e-9;    ///< of an edge's length
 
 double across(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
@@ -19,6 +21,7 @@ double across(const glm::dvec2& a, const glm::dvec2& b) {
 
 void CellStrokes::draw(const glm::ivec2& at) {
     cell_ = frame_.cell(at);
+    if (draw_plain()) return;
     line_count_ = unknown_count_ = 0;
     gather();
     for (CellLine& line : lines()) {
@@ -33,6 +36,73 @@ void CellStrokes::draw(const glm::ivec2& at) {
     join_unknown();
 }
 
+/// Draws the piece of a cell that is crossed by one edge, and that from side to side, as most are.
+bool CellStrokes::draw_plain() {
+    const NamedCrossing* first = nullptr;
+    unsigned sides = 0;
+    for (std::size_t side = 0; side < 4; ++side) {
+        const auto crossings = cell_.crossings[side];
+        if (crossings.empty()) continue;
+        if (first == nullptr) first = crossings.data();
+        if (crossings.size() > 1 || crossings[0].name != first->name) return false;
+        sides |= 1U << side;
+    }
+    if (first->name == 0 || first->crossing.edge >= Crossing::kIntersection) return false;
+    KnownEdge* const edge = known_edge(*first);
+    if (edge == nullptr) return false;
+    const Segment& segment = edge->line.segment;
+    const auto part = clip_to_cell(segment, cell_.at);
+    if (!part || part->from <= 0 || part->to >= 1) return false;
+    const glm::dvec2 a = segment.at(part->from), b = segment.at(part->to);
+    const auto goes_on = [&](const glm::dvec2& at) {
+        const unsigned near = near_sides(cell_, at);
+        return (near & sides) != 0 || std::popcount(near) >= 2;
+    };
+    if (!goes_on(a) || !goes_on(b)) return false;
+    const auto half_px = [&](double t) {
+        return frame_.widths.half_px(first->crossing.kind, segment.q_at(t));
+    };
+    draw_part(*edge, *part, {a, b, half_px(part->from), half_px(part->to)});
+    return true;
+}
+
+/// Makes the last piece of the edge longer, if both are as wide and meet.
+void CellStrokes::draw_part(KnownEdge& edge, const Clipped& part, const Piece& piece) {
+    if (!(piece.half_a_px > 0 || piece.half_b_px > 0)) return;
+    if (edge.part.from <= edge.part.to && piece.half_a_px == piece.half_b_px) {
+        Piece& last = pieces_[edge.piece];
+        const bool is_as_wide =
+            last.half_a_px == piece.half_a_px && last.half_b_px == piece.half_a_px;
+        if (is_as_wide && std::abs(edge.part.to - part.from) < kSamePart) {
+            last.b = piece.b;
+            edge.part.to = part.to;
+            return;
+        }
+        if (is_as_wide && std::abs(edge.part.from - part.to) < kSamePart) {
+            last.a = piece.a;
+            edge.part.from = part.from;
+            return;
+        }
+    }
+    edge.part = part;
+    edge.piece = pieces_.size();
+    pieces_.push_back(piece);
+}
+
+/// The edge that crosses a side; nothing if none of it lies beyond the near plane.
+CellStrokes::KnownEdge* CellStrokes::known_edge(const NamedCrossing& crossing) {
+    KnownEdge& known = edges_[crossing.name * 0x9e3779b97f4a7c15U >> 58];
+    if (known.line.name == crossing.name) return &known;
+    const auto& [face, other, edge, kind, s, q] = crossing.crossing;
+    const auto& v = frame_.face(face).vertices;
+    const auto [a, b] = std::minmax(v[edge], v[(edge + 1U) % 3]);
+    const auto segment = edge_segment(frame_.screen, a, b);
+    if (!segment) return nullptr;
+    known.line = {.name = crossing.name, .segment = *segment, .vertices = {a, b}};
+    known.part = {.from = 1, .to = 0};
+    return &known;
+}
+
 void CellStrokes::gather() {
     for (int i = 0; i < 4; ++i) {
         const CellSide side(cell_.at, i);
@@ -45,12 +115,11 @@ void CellStrokes::add(const NamedCrossing& crossing, const glm::dvec2& at) {
     const LineName name = crossing.name;
     for (const CellLine& known : lines())
         if (name != 0 && known.line.name == name) return;
-    auto line = line_of(crossing.crossing, at);
+    const auto line = line_of(crossing, at);
     if (!line) {
         if (unknown_count_ < kMost) unknown_[unknown_count_++] = at;
         return;
     }
-    line->name = name;
     const auto part = clip_to_cell(line->segment, cell_.at);
     if (!part || line_count_ == kMost) return;
     CellLine& here = lines_[line_count_++];
@@ -59,19 +128,23 @@ void CellStrokes::add(const NamedCrossing& crossing, const glm::dvec2& at) {
     here.dangles = {false, false};
 }
 
-std::optional<Line> CellStrokes::line_of(const Crossing& crossing, const glm::dvec2& at) const {
-    Line line{.kind = crossing.kind, .face = crossing.face};
-    std::optional<Segment> segment;
+std::optional<Line> CellStrokes::line_of(const NamedCrossing& named, const glm::dvec2& at) {
+    const Crossing& crossing = named.crossing;
+    Line line{.name = named.name};
     if (crossing.edge < Crossing::kIntersection) {
-        const auto& v = frame_.face(crossing.face).vertices;
-        const auto [a, b] = std::minmax(v[crossing.edge], v[(crossing.edge + 1U) % 3]);
-        line.vertices = {a, b};
-        segment = edge_segment(frame_.screen, a, b);
-    } else if (crossing.edge == Crossing::kIntersection) {
-        segment = intersection_segment(frame_.screen, crossing.face, crossing.other, at);
+        const KnownEdge* const edge = known_edge(named);
+        if (edge == nullptr) return std::nullopt;
+        line = edge->line;
+    } else {
+        const auto segment =
+            crossing.edge == Crossing::kIntersection
+                ? intersection_segment(frame_.screen, crossing.face, crossing.other, at)
+                : std::nullopt;
+        if (!segment) return std::nullopt;
+        line.segment = *segment;
     }
-    if (!segment) return std::nullopt;
-    line.segment = *segment;
+    line.kind = crossing.kind;
+    line.face = crossing.face;
     return line;
 }
 
@@ -80,7 +153,7 @@ void CellStrokes::settle(CellLine& line, std::size_t i) {
     LineEnd& end = line.ends[i];
     line.dangles[i] = end.is_vertex();
     if (end.is_vertex() || end.is_confirmed || end.is_at_corner) return;
-    if (line.line.is_edge() && is_seen(frame_, cell_, end, line.line.face)) {
+    if (line.line.is_edge() && is_seen(frame_, cell_, end, line.line)) {
         follower_.go_on(line.line, cell_.at, end);
     } else {
         cut(line, i);

@@ -8,7 +8,7 @@ namespace ink::methods {
 class CellStrokes {
   public:
     CellStrokes(const StrokeFrame& frame, std::vector<Piece>& pieces)
-        : frame_(frame), follower_(frame, pieces) {}
+        : frame_(frame), pieces_(pieces), follower_(frame, pieces) {}
 
     /// Appends the pieces that begin in a cell, which is named by its upper left sample.
     void draw(const glm::ivec2& at);
@@ -21,9 +21,19 @@ class CellStrokes {
         bool is_done;
     };
 
+    /// An edge that was met in this tile, and the part of it that was drawn last.
+    struct KnownEdge {
+        Line line;
+        Clipped part;
+        std::size_t piece = 0;
+    };
+
+    [[nodiscard]] bool draw_plain();
+    void draw_part(KnownEdge& edge, const Clipped& part, const Piece& piece);
+    [[nodiscard]] KnownEdge* known_edge(const NamedCrossing& crossing);
     void gather();
     void add(const NamedCrossing& crossing, const glm::dvec2& at);
-    [[nodiscard]] std::optional<Line> line_of(const Crossing& crossing, const glm::dvec2& at) const;
+    [[nodiscard]] std::optional<Line> line_of(const NamedCrossing& crossing, const glm::dvec2& at);
     void settle(CellLine& line, std::size_t end);
     void cut(CellLine& line, std::size_t end) const;
     void join_dangling();
@@ -35,7 +45,9 @@ class CellStrokes {
     }
 
     const StrokeFrame& frame_;
+    std::vector<Piece>& pieces_;
     LineFollower follower_;
+    std::array<KnownEdge, 64> edges_;  ///< by what is left of their names
     Cell cell_;
     std::array<CellLine, kMost> lines_;
     std::size_t line_count_ = 0;

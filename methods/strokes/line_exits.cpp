@@ -1,6 +1,7 @@
 // Where lines leave cells, and whether they are seen there.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -13,6 +14,11 @@ constexpr double kAtCorner_px = 0.008;  ///< two snappings: a line this near may
 constexpr double kSameQ = 1e-5;         ///< relative: of a line and the surface it lies on
 /// Lines where no sample has one must be so far in front: surfaces lie on each other.
 constexpr double kInFront_px = 0.1;
+
+std::array<double, 4> away_from_sides(const Cell& cell, const glm::dvec2& at) {
+    const glm::dvec2 in = at - glm::dvec2(cell.at);
+    return {std::abs(in.y), std::abs(in.x - 1), std::abs(in.y - 1), std::abs(in.x)};
+}
 
 bool has_line(std::span<const NamedCrossing> lines, LineName name) {
     return std::any_of(
@@ -54,31 +60,34 @@ std::optional<double> surface_q(const StrokeFrame& frame,
 
 }  // namespace
 
+unsigned near_sides(const Cell& cell, const glm::dvec2& at) {
+    const std::array<double, 4> away = away_from_sides(cell, at);
+    unsigned near = 0;
+    for (std::size_t side = 0; side < 4; ++side)
+        near |= away[side] < kAtCorner_px ? 1U << side : 0;
+    return near;
+}
+
 LineEnd end_in_cell(const Line& line, const Cell& cell, double t) {
     LineEnd end{.at = line.segment.at(t), .q = line.segment.q_at(t)};
     if (t <= 0 || t >= 1) return end;
-    const glm::dvec2 in = end.at - glm::dvec2(cell.at);
-    const std::array<double, 4> away = {
-        std::abs(in.y), std::abs(in.x - 1), std::abs(in.y - 1), std::abs(in.x)};
+    const std::array<double, 4> away = away_from_sides(cell, end.at);
     end.side = static_cast<int>(std::min_element(away.begin(), away.end()) - away.begin());
-    int near = 0;
-    for (std::size_t side = 0; side < 4; ++side) {
-        const bool is_near = away[side] < kAtCorner_px;
-        if (static_cast<int>(side) != end.side && !is_near) continue;
-        near += is_near ? 1 : 0;
-        end.is_confirmed = end.is_confirmed || has_line(cell.crossings[side], line.name);
-    }
-    end.is_at_corner = near >= 2;
+    const unsigned near = near_sides(cell, end.at);
+    end.is_at_corner = std::popcount(near) >= 2;
+    for (unsigned rest = near | 1U << end.side; rest != 0 && !end.is_confirmed; rest &= rest - 1)
+        end.is_confirmed =
+            has_line(cell.crossings[static_cast<std::size_t>(std::countr_zero(rest))], line.name);
     return end;
 }
 
-bool is_seen(const StrokeFrame& frame, const Cell& cell, const LineEnd& end, std::uint32_t face) {
+bool is_seen(const StrokeFrame& frame, const Cell& cell, const LineEnd& end, const Line& line) {
     const CellSide side(cell.at, end.side);
     const auto lines = cell.crossings[static_cast<std::size_t>(end.side)];
     const auto surface = surface_q(frame, side, lines, end.at);
     if (!surface || *surface == 0) return true;
     const auto owns = [&](const glm::ivec2& sample) {
-        return is_own(frame, frame.faces.at(sample.x, sample.y), face);
+        return is_own(frame, frame.faces.at(sample.x, sample.y), line.face);
     };
     if (!lines.empty() || (owns(side.from) && owns(side.to())))
         return *surface <= end.q * (1 + kSameQ);

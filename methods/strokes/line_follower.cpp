@@ -34,7 +34,7 @@ void LineFollower::go_on(const Line& line, glm::ivec2 at, LineEnd end, int most_
         if (std::abs(t - t_end) * length < 1e-6) return;
         const LineEnd next = end_in_cell(line, cell, t);
         const bool is_known = next.is_vertex() || next.is_confirmed || next.is_at_corner;
-        if (!is_known && !is_seen(frame_, cell, next, line.face)) {
+        if (!is_known && !is_seen(frame_, cell, next, line)) {
             // Half of the cell in which something hides it.
             return draw(line.kind, end.at, end.q, 0.5 * (end.at + next.at), next.q);
         }
@@ -85,7 +85,7 @@ bool LineFollower::follow_from(Stand at,
             continue;
         }
         if (end.is_confirmed || end.is_at_corner) return true;
-        if (!is_seen(frame_, cell, end, at.face)) return give_up();
+        if (!is_seen(frame_, cell, end, line)) return give_up();
         go_on(line, cell.at, end, most_cells);
         return true;
     }

@@ -14,17 +14,17 @@ class Strokes : public InkMethod {
         core::ParamTable<Params> table;
         return add_ink_params(table);
     }
-    explicit Strokes(const Params& params) : InkMethod(params) {}
+    explicit Strokes(const Params& params) : InkMethod("strokes", params) {}
 
   private:
-    void begin(int width_px, int height_px) override {
-        sides_.reset(width_px, height_px);
-        faces_.reset(width_px, height_px);
+    void begin(const raster::TileGrid& samples) override {
+        sides_.reset(samples);
+        faces_.reset(samples);
     }
     void look(const raster::Tile& tile) override {
         faces_.take(tile);
+        std::array<NamedCrossing, std::tuple_size_v<decltype(SideLines::crossings)>> named;
         each_lined_side(tile, [&](int x, int y, bool is_down, const SideLines& lines) {
-            std::array<NamedCrossing, std::tuple_size_v<decltype(lines.crossings)>> named;
             for (std::size_t i = 0; i < lines.count; ++i)
                 named[i] = {name_of(lines.crossings[i], pass().screen()), lines.crossings[i]};
             sides_.add(x, y, is_down, std::span(named).first(lines.count));
@@ -32,8 +32,11 @@ class Strokes : public InkMethod {
     }
     void join(std::size_t tile, std::vector<Piece>& pieces) override {
         const StrokeFrame frame{pass().screen(), sides_, faces_, widths()};
-        CellStrokes strokes(frame, pieces);
-        sides_.each_cell(tile, [&](int x, int y) { strokes.draw({x, y}); });
+        std::optional<CellStrokes> strokes;  // most tiles are empty
+        sides_.each_cell(tile, [&](int x, int y) {
+            if (!strokes) strokes.emplace(frame, pieces);
+            strokes->draw({x, y});
+        });
     }
 
     /// The words are kept.

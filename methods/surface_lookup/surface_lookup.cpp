@@ -32,15 +32,8 @@ class SurfaceLookup : public LookupMethod {
                     "Least difference of codes that is a line without looking.");
         return method::add_threshold_of_two(add_lookup_params(table));
     }
-    explicit SurfaceLookup(const Params& params) : LookupMethod(params, coded(params)) {}
-
-  private:
-    static CodedLookup coded(const Params& params) {
-        SurfaceCodeParams codes;
-        codes.crease_deg = params.crease_deg;
-        codes.weld_epsilon = params.weld_epsilon;
-        return {codes, params.jump_px, params.trust};
-    }
+    explicit SurfaceLookup(const Params& params)
+        : LookupMethod(params, CodedLookup{"surface_lookup", params.jump_px, params.trust}) {}
 };
 
 }  // namespace

@@ -292,9 +292,10 @@ TEST(SurfaceLookup, FlagsFollowThePose) {
 }
 
 TEST(SurfaceLookup, RefusesMoreFacesThanAWordNames) {
-    EXPECT_NO_THROW(LookupWord::require_room(LookupWord::kFaceOfCoded - 1));
-    EXPECT_EQ(core::error_text([] { LookupWord::require_room(LookupWord::kFaceOfCoded); }),
-              "surface_lookup: 8388607 triangles (accepted: less than 8388607)");
+    EXPECT_NO_THROW(LookupWord::require_room("strokes", LookupWord::kFaceOfCoded - 1));
+    EXPECT_EQ(
+        core::error_text([] { LookupWord::require_room("strokes", LookupWord::kFaceOfCoded); }),
+        "strokes: 8388607 triangles (accepted: less than 8388607)");
 }
 
 }  // namespace
