@@ -50,6 +50,16 @@ STAGES = [
     ("filter", r"edge::(N_\w+::)?\w*([Ll]aplacian|[Dd]ecaudin|[Rr]espond)|Sink::", "pixel"),
 ]
 
+# The same of methods that look lines up, a pixel: these take a function first, and are printed if they
+# cost anything.
+LINE_STAGES = [
+    ("sides listed", r"methods::(N_\w+::)?(list_in|list_sides|AskedSides)|SampleFaces::"),
+    ("walks", r"ScreenMesh::|each_lined_side|(Strokes|Chords)::look|SideLookup::"),
+    ("pieces", r"CellStrokes::|LineFollower::|(Strokes|Chords)::(join|begin)|methods::(\(anonymous namespace\)::)?"
+               r"(end_in_cell|near_sides|is_seen|clip_to_cell|edge_segment|intersection_segment|plane_q|depth_plane)"),
+    ("ink", r"methods::((N_\w+::)?draw_in|draw_ink|draw_pieces|.*seen_from)"),
+]
+
 # Threads that wait for each other at the start, as long as it takes: no part of a frame.
 WAITING = r"wake_worker|steady_clock|clock_gettime|vdso"
 
@@ -131,7 +141,7 @@ def filter_lines(counter):
 
 
 def stage_of(function):
-    for stage, pattern, _ in STAGES:
+    for stage, pattern, *_ in LINE_STAGES + STAGES:
         if re.search(pattern, function):
             return stage
     return "the rest"

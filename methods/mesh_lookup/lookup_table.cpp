@@ -11,7 +11,6 @@ namespace ink::methods {
 std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
                                         const std::vector<std::uint32_t>& codes) {
     const std::size_t count = mesh.faces.size();
-    LookupWord::require_room(count);
     std::vector<std::uint32_t> words(count);
     for (std::size_t t = 0; t < codes.size(); ++t) {
         const std::uint32_t face = mesh.face_of_triangle[t];
@@ -37,6 +36,7 @@ LookupTable lookup_table(const scene::PreparedScene& scene) {
     const LookupMesh mesh = make_lookup_mesh(
         scene,
         {.crease_rad = glm::radians(params.crease_deg), .weld_epsilon = params.weld_epsilon});
+    LookupWord::require_room("surface_lookup", mesh.faces.size());
     SurfaceCodeParams code_params;
     code_params.crease_deg = params.crease_deg;
     code_params.weld_epsilon = params.weld_epsilon;
