@@ -90,10 +90,11 @@ std::vector<core::TableInfo> dictionary() {
             summary::predictions_table(),
             linear_code::cancellation_table(),
             studies::axes_table(),
-            studies::axis_summary_table(),
+            studies::axis_summary_table(true),
             studies::faults_table(),
-            studies::hardest_table(),
+            studies::hardest_table(true),
             studies::motion_table(),
+            studies::ink_motion_table(),
             studies::lives_table(),
             evaluations_table({"PARAMETER"}),  // one stands here for all that are searched
             studies::timedemo_frames_table()};

@@ -37,6 +37,11 @@ std::string_view name(ExperimentKind kind) {
     return kNames.at(static_cast<std::size_t>(kind));
 }
 
+std::optional<double> scored_width_px(const Experiment& experiment) {
+    if (!experiment.coverage) return std::nullopt;
+    return experiment.line_width_px;
+}
+
 harness::ViewRequest views_of(const Experiment& experiment, const ImageSize& size) {
     harness::ViewRequest request = experiment.view_request;
     request.width_px = size.width_px;
@@ -122,9 +127,8 @@ std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
         }
     }
     methods::follow_crease(experiment.crease_deg, configs);
-    if (experiment.compare.coverage) follow_line_width(experiment.compare.line_width_px, configs);
-    return methods::at_each_antialias(
-        configs, experiment.compare.antialias, experiment.compare.line_width_px);
+    if (experiment.coverage) follow_line_width(experiment.line_width_px, configs);
+    return methods::at_each_antialias(configs, experiment.antialias, experiment.line_width_px);
 }
 
 std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment) {

@@ -14,6 +14,7 @@
 #include "score/coverage.h"
 #include "score/intersections.h"
 #include "studies/axis.h"
+#include "studies/motion_study.h"
 #include "summary/answer.h"
 
 namespace ink::experiment {
@@ -51,11 +52,6 @@ struct CompareRequest {
     bool study_scaling = false;  ///< scaling_axes.h too
     bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
     summary::AnswerRule answer = {};  ///< how it is chosen; no row depends on it
-    /// How many samples a pixel the methods draw, each choice a method of its own.
-    std::vector<methods::Antialias> antialias = {methods::Antialias::none};
-    bool coverage = false;  ///< score grey lines too
-    /// Of grey lines: of the true ones, and of those that methods draw with several samples.
-    double line_width_px = score::kLineWidth_px;
 };
 
 /// What the sweep of difficulties alone is asked.
@@ -68,7 +64,9 @@ struct StressRequest {
 
 /// What sequences alone are asked.
 struct AnimationRequest {
-    int frames = 48;  ///< of a sequence
+    int frames = 48;                      ///< of a sequence
+    double step_px = studies::kStep_px;   ///< by which the image moves a frame
+    std::vector<std::string> paths = {};  ///< before any scene; none: the study's own sequences
 };
 
 /// What a search for the hardest views is asked for (studies/hardest/hardest_view.h). All of these
@@ -108,11 +106,19 @@ struct Experiment {
     bool times = true;       ///< false: columns of times stay empty
     int repetitions = 60;    ///< timed drawings, at most
     double budget_ms = 60;   ///< of drawing, after which repetitions end
+    /// How many samples a pixel the methods draw, each choice a method of its own.
+    std::vector<methods::Antialias> antialias = {methods::Antialias::none};
+    bool coverage = false;  ///< score grey lines too; a search is for their loss
+    /// Of grey lines: of the true ones, and of those that methods draw with several samples.
+    double line_width_px = score::kLineWidth_px;
     CompareRequest compare = {};
     StressRequest stress = {};
     AnimationRequest animation = {};
     HardestRequest hardest = {};
 };
+
+/// The width of the true lines, if grey lines are scored.
+[[nodiscard]] std::optional<double> scored_width_px(const Experiment& experiment);
 
 /// From where its scenes are seen, in images of this size.
 [[nodiscard]] harness::ViewRequest views_of(const Experiment& experiment, const ImageSize& size);

@@ -102,7 +102,7 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
     plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));
     for (const ImageSize& size : experiment.sizes) {
-        for (const methods::Antialias antialias : experiment.compare.antialias)
+        for (const methods::Antialias antialias : experiment.antialias)
             (void)methods::enlarged({{}, size.width_px, size.height_px},
                                     methods::samples_per_side(antialias));  // or too large
     }

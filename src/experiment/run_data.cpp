@@ -118,7 +118,10 @@ RunTables parse_tables(const CsvTables& tables) {
         for (const auto& of : studies::read_faults(*csv, index))
             faults[of.row.cell] = of.faults;
     }
-    if (const auto* csv = table("hardest.csv")) run.hardest = studies::hardest_table().read(*csv);
+    if (const auto* csv = table("hardest.csv")) {
+        const bool has_ink = csv->find("soft_f") < csv->columns.size();
+        run.hardest = studies::hardest_table(has_ink).read(*csv);
+    }
     for (harness::RowRecord& record : records) {
         if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});
         if (record.study != harness::Study::compare) continue;

@@ -84,7 +84,7 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
         tables.push_back({"predictions.csv", summary::predictions_csv(fit)});
     }
     if (const auto points = studies::summarise_axes(data.on_axes); !points.empty())
-        tables.push_back({"axis_summary.csv", studies::axis_summary_table().file(points)});
+        tables.push_back({"axis_summary.csv", studies::axis_summary_csv(points)});
     return tables;
 }
 

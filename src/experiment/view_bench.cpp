@@ -71,7 +71,7 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, repetitions);
     options.measure.budget_s = experiment_.budget_ms * 1e-3;
     options.measure.skips = skips_;
-    if (experiment_.compare.coverage) options.line_width_px = experiment_.compare.line_width_px;
+    options.line_width_px = scored_width_px(experiment_);
     return options;
 }
 

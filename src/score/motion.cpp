@@ -193,4 +193,31 @@ Flicker flicker(std::span<const MotionFrame> frames, double tolerance_px) {
     return sum;
 }
 
+InkChange& InkChange::operator+=(const InkChange& other) {
+    drawn_px += other.drawn_px;
+    true_px += other.true_px;
+    beyond_px += other.beyond_px;
+    return *this;
+}
+
+std::optional<double> InkChange::share() const {
+    if (true_px <= 0) return std::nullopt;
+    return beyond_px / true_px;
+}
+
+InkChange ink_change(const core::Image<float>& drawn_before,
+                     const InkTruth& before,
+                     const core::Image<float>& drawn_after,
+                     const InkTruth& after) {
+    check_same_size(before.counts, after.counts);
+    InkChange change;
+    for (std::size_t i = 0; i < after.counts.size(); ++i) {
+        if (before.counts.data()[i] == 0 || after.counts.data()[i] == 0) continue;
+        const double drawn = double{drawn_after.data()[i]} - double{drawn_before.data()[i]};
+        const double own = double{after.coverage.data()[i]} - double{before.coverage.data()[i]};
+        change += {std::abs(drawn), std::abs(own), std::abs(drawn - own)};
+    }
+    return change;
+}
+
 }  // namespace ink::score

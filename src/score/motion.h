@@ -9,6 +9,7 @@
 #include "edge/edge_image.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
+#include "score/soft_score.h"
 #include "truth/curve.h"
 
 namespace ink::score {
@@ -56,6 +57,26 @@ struct Flicker {
 /// nearly 1, unless it is dense. A frame with nothing drawn between two full ones makes all of
 /// both flicker. One frame or none: all counts 0.
 [[nodiscard]] Flicker flicker(std::span<const MotionFrame> frames, double tolerance_px);
+
+/// How the ink of grey frames changes, in pixels' areas.
+struct InkChange {
+    double drawn_px = 0;   ///< sum of |change of the drawn share| over pixels
+    double true_px = 0;    ///< of the true share
+    double beyond_px = 0;  ///< sum of |drawn change - true change|
+
+    InkChange& operator+=(const InkChange& other);
+    /// The change beyond the truth's own as a share of that; nothing if the truth stands still.
+    [[nodiscard]] std::optional<double> share() const;
+    [[nodiscard]] bool operator==(const InkChange&) const = default;
+};
+
+/// The change of drawn shares from one frame to the next, each beside its truth, over the pixels
+/// that count in both. The truth itself has nothing beyond its own; an image that stands still has
+/// all of it.
+[[nodiscard]] InkChange ink_change(const core::Image<float>& drawn_before,
+                                   const InkTruth& before,
+                                   const core::Image<float>& drawn_after,
+                                   const InkTruth& after);
 
 /// Something drawn where no line is, followed through time.
 struct FalseLine {

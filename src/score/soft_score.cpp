@@ -87,6 +87,15 @@ InkTruth prepare_ink(core::Image<float> coverage,
     return ink;
 }
 
+SoftScore& SoftScore::operator+=(const SoftScore& other) {
+    line_width_px = other.line_width_px;
+    matched_px += other.matched_px;
+    misplaced_px += other.misplaced_px;
+    missing_px += other.missing_px;
+    surplus_px += other.surplus_px;
+    return *this;
+}
+
 std::optional<double> SoftScore::f() const {
     if (true_px() <= 0) return std::nullopt;
     return 2 * matched_px / (drawn_px() + true_px());

@@ -39,6 +39,8 @@ struct SoftScore {
 
     [[nodiscard]] double drawn_px() const { return matched_px + misplaced_px + surplus_px; }
     [[nodiscard]] double true_px() const { return matched_px + misplaced_px + missing_px; }
+    /// Ink of another image beside it, of lines as wide.
+    SoftScore& operator+=(const SoftScore& other);
     /// Soft F = 2 sum min(I, C) / sum (I + C); nothing if there is no true ink.
     [[nodiscard]] std::optional<double> f() const;
     /// Matched, drawn and true ink in whole 2^-24 px^2, whose sums are exact; F of it is soft F.

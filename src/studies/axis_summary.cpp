@@ -33,6 +33,9 @@ void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, Axi
         const score::CurveCount counts{row->row.k_2px, row->row.n_pred, row->row.n_truth};
         clusters.push_back(counts);
         all += counts;
+        if (!row->row.soft) continue;
+        if (!point.soft) point.soft.emplace();
+        *point.soft += *row->row.soft;
     }
     point.cases = static_cast<int>(clusters.size());
     if (clusters.empty()) return;
@@ -92,35 +95,43 @@ std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows) {
     return points;
 }
 
-const core::TableOf<AxisPoint>& axis_summary_table() {
-    static const auto kTable = [] {
-        using P = AxisPoint;
-        core::TableOf<P> table(
-            "axis_summary.csv",
-            "A line per axis, value and method, over its cases: a point of a curve.");
-        table.add_derived({"axis", "", "what grows"}, &P::axis);
-        table.add_derived({"value", "of axis", "where on the axis"}, &P::value);
-        table.add_derived({"method", "", "as in rows.csv"}, &P::method);
-        table.add_derived({"cases", "", "that have a score"}, &P::cases);
-        table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
-        const auto range = table.part(&P::f_range);
-        range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
-                          &statistics::Interval::low);
-        range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
-        table.add_derived({"error", "0..1", "1 - f"}, &P::error);
-        table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
-        table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
-        table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
-        using C = CaseFaults;
-        const auto counts = table.part(&P::faults);
-        counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);
-        counts.add_derived({"overflow", "", "codes that overflowed"}, &C::overflow);
-        counts.add_derived({"lost_cells", "", "cases without a result"}, &C::lost);
-        counts.add_derived({"differing", "", "images that differ where the axis allows none to"},
-                           &C::differing);
-        return table;
-    }();
-    return kTable;
+core::TableOf<AxisPoint> axis_summary_table(bool has_ink) {
+    using P = AxisPoint;
+    core::TableOf<P> table(
+        "axis_summary.csv",
+        "A line per axis, value and method, over its cases: a point of a curve.");
+    table.add_derived({"axis", "", "what grows"}, &P::axis);
+    table.add_derived({"value", "of axis", "where on the axis"}, &P::value);
+    table.add_derived({"method", "", "as in rows.csv"}, &P::method);
+    table.add_derived({"cases", "", "that have a score"}, &P::cases);
+    table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
+    const auto range = table.part(&P::f_range);
+    range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
+                      &statistics::Interval::low);
+    range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
+    table.add_derived({"error", "0..1", "1 - f"}, &P::error);
+    table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
+    table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
+    table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
+    using C = CaseFaults;
+    if (has_ink) {
+        table.part(&P::soft).add_derived(
+            {"soft_f", "0..1", "of the ink of all cases; only with --coverage"},
+            &score::SoftScore::f);
+    }
+    const auto counts = table.part(&P::faults);
+    counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);
+    counts.add_derived({"overflow", "", "codes that overflowed"}, &C::overflow);
+    counts.add_derived({"lost_cells", "", "cases without a result"}, &C::lost);
+    counts.add_derived({"differing", "", "images that differ where the axis allows none to"},
+                       &C::differing);
+    return table;
+}
+
+std::string axis_summary_csv(const std::vector<AxisPoint>& points) {
+    const bool has_ink =
+        std::ranges::any_of(points, [](const auto& p) { return p.soft.has_value(); });
+    return axis_summary_table(has_ink).file(points);
 }
 
 const AxisPoint* AxisCurve::best() const {

@@ -22,6 +22,7 @@ struct AxisPoint {
     std::optional<double> precision = {};
     std::optional<double> recall = {};
     std::int64_t truth_px = 0;
+    std::optional<score::SoftScore> soft = {};  ///< of grey lines, pooled over cases
     CaseFaults faults = {};
 
     [[nodiscard]] std::optional<double> error() const;
@@ -31,8 +32,9 @@ struct AxisPoint {
 /// fault. Intervals are of the first row's seed.
 [[nodiscard]] std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows);
 
-/// axis_summary.csv.
-[[nodiscard]] const core::TableOf<AxisPoint>& axis_summary_table();
+/// axis_summary.csv, with soft F if grey lines are scored.
+[[nodiscard]] core::TableOf<AxisPoint> axis_summary_table(bool has_ink);
+[[nodiscard]] std::string axis_summary_csv(const std::vector<AxisPoint>& points);
 
 /// The points of one method on one axis, by value.
 struct AxisCurve {

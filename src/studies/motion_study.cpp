@@ -11,6 +11,8 @@
 #include "core/parallel.h"
 #include "harness/cells/view_cells.h"
 #include "harness/clock/timing.h"
+#include "harness/scores/grey_lines.h"
+#include "harness/suite/suite.h"
 #include "scene/animation.h"
 #include "score/drawing.h"
 
@@ -26,14 +28,15 @@ score::ScoringTruth unbanded_truth(const truth::Truth& traced, score::Intersecti
         score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
 }
 
-constexpr double kStep_px = 0.25;
-
 /// One method's images of a sequence as they are scored, and the row that they come to.
 struct Record {
     MotionRow row;
     std::vector<score::MotionFrame> frames;
     std::vector<std::vector<score::FeatureSight>> sights;
     core::Hasher images;
+    core::Image<float> ink;  ///< of the last frame
+    score::SoftScore soft;
+    score::InkChange change;
 };
 
 void take(const harness::Evaluation& drawn,
@@ -46,6 +49,17 @@ void take(const harness::Evaluation& drawn,
     record.frames.push_back(score::motion_frame(thinned, scoring, options));
     record.sights.push_back(score::see_features(curves, thinned, scoring, options));
     record.images.bytes(drawn.image.data(), drawn.image.size());
+}
+
+/// Scores the ink of a frame, and its change if there was a frame before.
+void take_ink(const harness::Evaluation& drawn,
+              const std::optional<score::InkTruth>& before,
+              const score::InkTruth& truth,
+              Record& record) {
+    core::Image<float> ink = harness::drawn_ink(drawn, truth);
+    record.soft += score::score_ink(ink, truth, harness::score_options(1));
+    if (before) record.change += score::ink_change(record.ink, *before, ink, truth);
+    record.ink = std::move(ink);
 }
 
 /// The baselines of a frame; the oracle is the truth as motion is scored against.
@@ -139,9 +153,14 @@ class Run {
             if (!drawn[i].row.is_ok()) fail(records_[i], drawn[i].row.status);
         for (harness::Evaluation& baseline : baselines_of(traced.truth, scoring))
             drawn.push_back(std::move(baseline));
+        std::optional<score::InkTruth> ink;
+        if (options_.line_width_px) ink = harness::true_ink(traced.truth, *options_.line_width_px);
         core::parallel_for(drawn.size(), core::hardware_threads(), [&](std::size_t i) {
-            if (records_[i].row.is_ok()) take(drawn[i], curves, scoring, records_[i]);
+            if (!records_[i].row.is_ok()) return;
+            take(drawn[i], curves, scoring, records_[i]);
+            if (ink) take_ink(drawn[i], ink_before_, *ink, records_[i]);
         });
+        ink_before_ = std::move(ink);
     }
 
     /// The first failure of a method is what its row says.
@@ -149,7 +168,7 @@ class Run {
         if (record.row.is_ok() && !failure.empty()) record.row.status = failure;
     }
 
-    static void fill(Record& record) {
+    void fill(Record& record) const {
         MotionRow& row = record.row;
         const auto lines = score::false_lines(record.frames, harness::kTolerance_px);
         row.flicker = score::flicker(record.frames, harness::kTolerance_px);
@@ -157,6 +176,9 @@ class Run {
         row.lives = score::life_counts(lines);
         row.lives_cut = std::ranges::count_if(lines, [](const auto& line) { return line.is_cut; });
         row.image_hash = record.images.hex();
+        if (!options_.line_width_px) return;
+        row.soft = record.soft;
+        row.ink = record.change;
     }
 
     Sequence& sequence_;
@@ -164,15 +186,8 @@ class Run {
     harness::PreparedMethods methods_;
     std::vector<Record> records_;  ///< the methods', then those of the baselines
     std::optional<truth::SceneModel> model_;
+    std::optional<score::InkTruth> ink_before_;  ///< of the last frame
 };
-
-/// A scene of the catalogue from its second view, and how the camera goes on from there.
-Sequence sequence_of(const std::string& name, scene::PathKind kind, scene::View size) {
-    Sequence sequence{.scene = catalogue::make_catalogue_scene(name), .step_px = kStep_px};
-    size.camera = sequence.scene.cameras.at(1);
-    sequence.path = scene::make_path(kind, size, scene::bounding_sphere(sequence.scene), kStep_px);
-    return sequence;
-}
 
 /// How fast the image moves where it moves fastest at the start: over the first 60th of a second.
 double speed_px_per_s(scene::Scene scene, const scene::View& view) {
@@ -197,15 +212,15 @@ double speed_px_per_s(scene::Scene scene, const scene::View& view) {
 
 /// An animated scene of the catalogue before its second view, which stands still: so many times
 /// slower than it is that what moves fastest moves by the step at most.
-Sequence sequence_of_motion(const std::string& name, scene::View size) {
-    Sequence sequence = sequence_of(name, scene::PathKind::still, size);
+Sequence sequence_of_motion(const std::string& name, const SequenceFrames& frames) {
+    Sequence sequence = sequence_along(scene::PathKind::still, name, frames);
     scene::CameraPath& path = sequence.path;
     constexpr int kPoses = 16;
     std::vector<double> times_s;
     for (int i = 0; i <= kPoses; ++i)
         times_s.push_back(sequence.scene.animation->duration_s * i / kPoses);
     path.bounds = scene::bounds_of_poses(sequence.scene, times_s);
-    const double most_px_per_s = kStep_px * path.frames_per_s;
+    const double most_px_per_s = frames.step_px * path.frames_per_s;
     const double times = std::ceil(speed_px_per_s(sequence.scene, path.start) / most_px_per_s);
     sequence.pose = [times](scene::Scene& scene, double time_s) {
         scene::pose_scene(scene, time_s / times);
@@ -223,9 +238,22 @@ std::vector<MotionRow> study_sequence(const std::vector<method::MethodConfig>& c
     return core::is_interrupted() ? std::vector<MotionRow>{} : run.rows();
 }
 
-std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count) {
+Sequence sequence_along(scene::PathKind path,
+                        const std::string& scene,
+                        const SequenceFrames& frames) {
+    harness::SceneViews scene_views = harness::make_scene_views(
+        harness::load_scene(scene), {.width_px = frames.width_px, .height_px = frames.height_px});
+    const scene::View& start =
+        scene_views.views[std::min<std::size_t>(1, scene_views.views.size() - 1)];
+    Sequence sequence{.scene = std::move(scene_views.scene), .step_px = frames.step_px};
+    sequence.path =
+        scene::make_path(path, start, scene::bounding_sphere(sequence.scene), frames.step_px);
+    sequence.path.frame_count = frames.count;
+    return sequence;
+}
+
+std::vector<Sequence> study_sequences(const SequenceFrames& frames) {
     using enum scene::PathKind;
-    const scene::View size{{}, width_px, height_px};
     std::vector<Sequence> sequences;
     for (const auto& [name, kind] : {std::pair("torus", orbit),
                                      {"torus", dolly},
@@ -237,11 +265,9 @@ std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_cou
                                      {"tree", shake},
                                      {"gear", orbit},
                                      {"gear", dolly}}) {
-        sequences.push_back(sequence_of(name, kind, size));
+        sequences.push_back(sequence_along(kind, name, frames));
     }
-    sequences.push_back(sequence_of_motion("gear", size));
-    for (Sequence& sequence : sequences)
-        sequence.path.frame_count = frame_count;
+    sequences.push_back(sequence_of_motion("gear", frames));
     return sequences;
 }
 

@@ -11,6 +11,10 @@
 
 namespace ink::studies {
 
+/// By how much the image of a sequence moves a frame, unless asked otherwise: lines pass slowly
+/// over the pixel grid.
+inline constexpr double kStep_px = 0.25;
+
 /// A scene and how its camera moves, and perhaps the scene itself.
 struct Sequence {
     scene::Scene scene;
@@ -22,8 +26,9 @@ struct Sequence {
 
 /// Draws every frame of a sequence with every configuration and scores them against their truths
 /// and each other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per
-/// configuration, then the baselines `sampled`, `exact_corner` and `oracle`. Nothing is timed, and
-/// no truth is held against the cross-check.
+/// configuration, then the baselines `sampled`, `exact_corner` and `oracle`. Where the options have
+/// a width of true lines, their ink too; the soft score is of all frames. Nothing is timed, and no
+/// truth is held against the cross-check.
 ///
 /// A method that throws in a frame is a row that says so. A frame whose truth is too large ends the
 /// sequence: every row says so. On Ctrl-C there are no rows.
@@ -32,9 +37,21 @@ struct Sequence {
     Sequence& sequence,
     const harness::CellOptions& options);
 
-/// The sequences of the study: scenes of the catalogue, `frame_count` frames, each path a quarter
-/// of a pixel a frame, so that lines pass slowly over the pixel grid; last the gears, which turn as
+/// What sequences have in common.
+struct SequenceFrames {
+    int width_px = 0;
+    int height_px = 0;
+    int count = 0;
+    double step_px = kStep_px;
+};
+
+/// The sequences of the study: paths before scenes of the catalogue; last the gears, which turn as
 /// slowly before a camera that stands still.
-[[nodiscard]] std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count);
+[[nodiscard]] std::vector<Sequence> study_sequences(const SequenceFrames& frames);
+
+/// A scene, of the catalogue or a model file, from its second view on along a path.
+[[nodiscard]] Sequence sequence_along(scene::PathKind path,
+                                      const std::string& scene,
+                                      const SequenceFrames& frames);
 
 }  // namespace ink::studies

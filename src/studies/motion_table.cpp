@@ -65,6 +65,27 @@ const harness::SideTable<MotionRow>& motion_table() {
     return kTable;
 }
 
+const harness::SideTable<MotionRow>& ink_motion_table() {
+    static const auto kTable = [] {
+        harness::SideTable<MotionRow> table(
+            "ink_motion.csv",
+            "A line per cell of motion.csv, with --coverage: how the drawn share I and the true "
+            "share C of pixels change from frame to frame, where they count in both.");
+        using I = score::InkChange;
+        const auto ink = table.part(&MotionRow::ink);
+        ink.add_derived({"ink_beyond",
+                         "",
+                         "change beyond the truth's own as a share of that: ink_beyond_px / "
+                         "ink_true_change_px"},
+                        &I::share);
+        ink.add({"ink_change_px", "px^2", "sum |change of I|"}, &I::drawn_px);
+        ink.add({"ink_true_change_px", "px^2", "sum |change of C|"}, &I::true_px);
+        ink.add({"ink_beyond_px", "px^2", "sum |change of I - change of C|"}, &I::beyond_px);
+        return table;
+    }();
+    return kTable;
+}
+
 const harness::SideTable<Life>& lives_table() {
     static const auto kTable = [] {
         harness::SideTable<Life> table(

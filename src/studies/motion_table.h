@@ -18,8 +18,9 @@ struct MotionRow : harness::Row {
     double step_px = 0;  ///< by which the image moves a frame
     score::Flicker flicker = {};
     score::PopCount pops = {};
-    std::vector<std::int64_t> lives = {};  ///< of false lines: entry i lived i + 1 frames
-    std::int64_t lives_cut = 0;            ///< of them those that may live longer than was seen
+    std::vector<std::int64_t> lives = {};      ///< of false lines: entry i lived i + 1 frames
+    std::int64_t lives_cut = 0;                ///< of them those that may live longer than was seen
+    std::optional<score::InkChange> ink = {};  ///< nothing unless grey lines are scored
 };
 
 /// A sentence for each sequence on which the truth itself flickers, pops or has false lines: a run
@@ -29,6 +30,9 @@ struct MotionRow : harness::Row {
 /// The columns of motion.csv: cell, the sequence, then flicker, pops and false lines.
 /// Scores are empty if it failed.
 [[nodiscard]] const harness::SideTable<MotionRow>& motion_table();
+
+/// The columns of ink_motion.csv, where grey lines are scored: cell, how their ink changes.
+[[nodiscard]] const harness::SideTable<MotionRow>& ink_motion_table();
 
 /// How many false lines of a cell lived so long.
 struct Life {

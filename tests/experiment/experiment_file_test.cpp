@@ -160,12 +160,12 @@ TEST(ExperimentFile, EachAntialiasIsAMethodOfItsOwn) {
     const Experiment e =
         parse(std::string(kHead) +
               "[grid]\nantialias = [\"none\", \"resolve16\"]\n[measure]\ncoverage = true\n");
-    EXPECT_TRUE(e.compare.coverage);
+    EXPECT_TRUE(e.coverage);
     std::vector<std::string> names;
     for (const method::MethodConfig& config : configs_of(e))
         names.push_back(config.info->name);
     Experiment plain = e;
-    plain.compare.antialias = {methods::Antialias::none};
+    plain.antialias = {methods::Antialias::none};
     const std::size_t half = configs_of(plain).size();
     // Those that draw ink are grey already.
     std::vector<std::string> expected(names.begin(), names.begin() + std::ptrdiff_t(half));

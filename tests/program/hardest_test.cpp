@@ -57,6 +57,25 @@ TEST(Hardest, WritesRowsOfTheWorstViewsAndAPage) {
     EXPECT_EQ(page_table(desk, "out", "hardest.csv")["lines"], looks.size());
 }
 
+TEST(Hardest, WithCoverageIsWhereMostInkIsLost) {
+    const Desk desk;
+    const std::string out =
+        expect_done(desk,
+                    "stress --hardest strokes --scenes rocket --evaluations 12 --size 128x72 "
+                    "--least-truth 40 --worst 1 --coverage --line-width 1 --out out");
+    EXPECT_THAT(out, HasSubstr("soft F least"));
+    const auto rows = only(rows_of(desk), "strokes");
+    ASSERT_EQ(rows.size(), 1U);
+    for (const auto& look : parse_csv(desk.read("out/hardest.csv"))) {
+        if (look.at("status") == "ok") {
+            EXPECT_EQ(look.at("value"), look.at("soft_f"));
+        }
+        if (look.at("rank") == "1") {
+            EXPECT_EQ(rows.front().at("soft_f"), look.at("soft_f"));
+        }
+    }
+}
+
 TEST(Hardest, TheViewCanBeDrawnByWhatIsPrinted) {
     const Desk desk;
     const std::string out =
@@ -103,7 +122,8 @@ TEST(Hardest, RefusesWhatItCannotSearch) {
                         {"--evaluations 0", "--evaluations 0"},
                         {"--worst 0", "--worst 0"},
                         {"--least-truth 0", "--least-truth 0"},
-                        {"--axes grazing", "--axes --hardest"}});
+                        {"--axes grazing", "--axes --hardest"},
+                        {"--antialias none", "--antialias --hardest"}});
     expect_all_refused(desk,
                        "stress",
                        {{"--hardest mote5 --scenes cube", "--hardest mote5 mote4"},

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "score/coverage.h"
+#include "tests/score/curves.h"
 #include "tests/score/images.h"
 
 namespace {
@@ -140,6 +142,43 @@ TEST(Flicker, IgnoredPixelsAreNotCounted) {
 TEST(Flicker, ImagesOfTwoSizesAreAnError) {
     const auto truth = score::prepare_truth(lines_at({10}), kOptions, true);
     EXPECT_THROW((void)score::motion_frame(Image(8, 8), truth, kOptions), core::Error);
+}
+
+/// The ink of a level line, all of which counts.
+score::InkTruth level_ink(double y_px) {
+    return {score::draw_coverage(Curves{curve(-9, y_px, 99, y_px)}, 32, 32, 1.5),
+            edge::Mask(32, 32, 1),
+            1.5};
+}
+
+TEST(InkChange, OfTheTruthItselfIsItsOwnAndOfAStillImageLacksAllOfIt) {
+    const score::InkTruth before = level_ink(16);
+    const score::InkTruth after = level_ink(16.125);
+    const auto own = ink_change(before.coverage, before, after.coverage, after);
+    EXPECT_NEAR(own.true_px, 32 * (0.125 + 0.125), 0.01);  // on one side more, on the other less
+    EXPECT_EQ(own, (score::InkChange{own.true_px, own.true_px, 0}));
+    EXPECT_EQ(own.share(), 0);
+    const auto still = ink_change(before.coverage, before, before.coverage, after);
+    EXPECT_EQ(still, (score::InkChange{0, own.true_px, own.true_px}));
+    EXPECT_EQ(still.share(), 1);
+}
+
+TEST(InkChange, BeforeAStillTruthIsAllBeyondAndNoShare) {
+    const score::InkTruth truth = level_ink(16);
+    EXPECT_EQ(ink_change(truth.coverage, truth, truth.coverage, truth), score::InkChange{});
+    const auto drawn = ink_change(truth.coverage, truth, level_ink(20).coverage, truth);
+    EXPECT_NEAR(drawn.beyond_px, 2 * 32 * 1.5, 0.01);
+    EXPECT_EQ(drawn.share(), std::nullopt);
+}
+
+TEST(InkChange, IsOfPixelsThatCountInBothFrames) {
+    score::InkTruth before = level_ink(16);
+    score::InkTruth after = level_ink(17);
+    const double all_px = ink_change(before.coverage, before, after.coverage, after).true_px;
+    for (int y = 0; y < 32; ++y)
+        before.counts.at(3, y) = after.counts.at(4, y) = 0;
+    const auto fewer = ink_change(before.coverage, before, after.coverage, after);
+    EXPECT_NEAR(fewer.true_px, all_px * 30 / 32, 0.01);
 }
 
 TEST(FalseLines, OfTheTruthThereAreNone) {

@@ -51,6 +51,16 @@ TEST(AxisSummary, PoolsTheCasesOfAPoint) {
     EXPECT_FALSE(points[2].f_range) << "of two cases";
 }
 
+TEST(AxisSummary, HasSoftFWhereGreyLinesAreScored) {
+    auto rows = some_rows();
+    EXPECT_THAT(axis_summary_csv(summarise_axes(rows)), Not(HasSubstr("soft_f")));
+    for (AxisRow& row : rows)
+        row.row.soft = {.matched_px = row.row.scene == "a" ? 1.0 : 5.0, .missing_px = 8};
+    const auto points = summarise_axes(rows);
+    EXPECT_DOUBLE_EQ(points[2].soft->f().value(), 2 * 6.0 / (6 + 22));
+    EXPECT_THAT(axis_summary_csv(points), HasSubstr(",truth_px,soft_f,non_finite,"));
+}
+
 TEST(AxisSummary, SixCasesGiveAnInterval) {
     std::vector<AxisRow> rows;
     for (int i = 0; i < 6; ++i)
@@ -70,7 +80,7 @@ TEST(AxisSummary, ALostCellIsCountedAndNotScored) {
     EXPECT_DOUBLE_EQ(points[2].f.value(), 0.5);
     EXPECT_FALSE(points[2].f_range);
     EXPECT_EQ(points[2].faults.lost, 1);
-    EXPECT_THAT(axis_summary_table().file(points), HasSubstr("grazing,0.1,mote4,1,0.5,,,0.5,"));
+    EXPECT_THAT(axis_summary_csv(points), HasSubstr("grazing,0.1,mote4,1,0.5,,,0.5,"));
 }
 
 TEST(AxisCurves, KnowTheirBestAndWorstPoint) {

@@ -1,4 +1,5 @@
 #include "studies/motion_study.h"
+#include "methods/antialias.h"
 #include "methods/method_configs.h"
 
 #include <gmock/gmock.h>
@@ -117,8 +118,39 @@ TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
     EXPECT_TRUE(motion_faults(moved).empty());
 }
 
+TEST(StudySequence, InkChangesBesideThatOfTheTruth) {
+    const auto configs = methods::at_each_antialias(
+        methods::make_configs("strokes,surface_lookup", {}), {methods::Antialias::none}, 1);
+    harness::CellOptions options;
+    options.line_width_px = 1;  // as `strokes` draws them
+    Sequence turning = torus(3);
+    const auto rows = study_sequence(configs, turning, options);
+    EXPECT_LT(rows[0].ink->share().value(), 0.2);
+    EXPECT_GT(rows[1].ink->share().value(), 1);
+    EXPECT_GT(rows[0].soft->f().value(), rows[1].soft->f().value());
+    const MotionRow& oracle = rows.back();
+    EXPECT_GT(oracle.ink->true_px, 0);
+    EXPECT_EQ(oracle.ink->beyond_px, 0);
+    EXPECT_EQ(oracle.soft->f(), 1);
+    Sequence still = torus(3);
+    still.path.kind = scene::PathKind::still;
+    for (const MotionRow& row : study_sequence(configs, still, options))
+        EXPECT_EQ(row.ink, score::InkChange{}) << row.method;
+    EXPECT_FALSE(study_sequence(configs, still, {}).front().ink);
+}
+
+TEST(StudySequences, ASceneGoesAlongAnyPath) {
+    const Sequence bars = sequence_along(scene::PathKind::pan, "bars", {64, 36, 5, 0.125});
+    EXPECT_EQ(bars.scene.name, "bars");
+    EXPECT_EQ(bars.path.frame_count, 5);
+    EXPECT_EQ(bars.step_px, 0.125);
+    const Sequence study = study_sequences({64, 36, 5}).front();
+    const Sequence along = sequence_along(study.path.kind, study.scene.name, {64, 36, 5});
+    EXPECT_EQ(along.path.turn_rad, study.path.turn_rad);
+}
+
 TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
-    std::vector<Sequence> sequences = study_sequences(320, 180, 6);
+    std::vector<Sequence> sequences = study_sequences({320, 180, 6});
     Sequence& gears = sequences.back();
     EXPECT_EQ(gears.scene.name, "gear");
     EXPECT_EQ(gears.path.kind, scene::PathKind::still);
@@ -127,7 +159,7 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
     const auto turning = study_sequence(configs, gears, {});
     EXPECT_TRUE(motion_faults(turning).empty());
     // The same camera before gears that stand: nothing comes, nothing goes.
-    std::vector<Sequence> again = study_sequences(320, 180, 6);
+    std::vector<Sequence> again = study_sequences({320, 180, 6});
     again.back().pose = {};
     const auto standing = study_sequence(configs, again.back(), {});
     ASSERT_EQ(turning.size(), standing.size());
@@ -148,7 +180,7 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
 TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
     harness::CellOptions options;
     const auto configs = methods::make_configs("mote4", {});
-    for (Sequence& sequence : study_sequences(160, 90, 3)) {
+    for (Sequence& sequence : study_sequences({160, 90, 3})) {
         SCOPED_TRACE(sequence.scene.name);
         options.measure.threads = 1;
         std::vector<MotionRow> rows = study_sequence(configs, sequence, options);

@@ -155,7 +155,7 @@ void run_score(ScoreArguments a, const CLI::App& command) {
     if (a.is_inverted) a.request.polarity = harness::Polarity::dark_on_light;
     const experiment::Experiment asked = a.options.read();
     a.request.intersections = asked.intersections;
-    if (asked.compare.coverage) a.request.line_width_px = asked.compare.line_width_px;
+    a.request.line_width_px = scored_width_px(asked);
     if (!a.csv.empty()) check_output_path(a.csv, {".csv"});
     if (!a.markdown.empty()) check_output_path(a.markdown, {".md"});
     const bool is_folder = fs::is_directory(a.prediction);

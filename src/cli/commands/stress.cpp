@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* kNeedsHardest = "--hardest METHOD beside it";
 
-const std::vector<std::string> kOfAxes = {"grid.axes", "grid.points", "grid.projection"};
+const std::vector<std::string> kOfAxes = {
+    "grid.axes", "grid.points", "grid.projection", "grid.antialias"};
 const std::vector<std::string> kOfHardest = {"search.against",
                                              "search.evaluations",
                                              "search.least_truth_px",
@@ -100,6 +101,7 @@ void add_stress_command(CLI::App& app) {
     options.add_to(*command, {"grid.threads"}, "Threads of a method");
     options.add_to(*command, {"seed"}, "Of the intervals, and of the search");
     options.add_to(*command, {"measure.intersections", "measure.crosscheck"});
+    options.add_to(*command, {"grid.antialias", "measure.coverage", "measure.line_width_px"});
     add_cache_options(*command, args->cache);
     add_run_folder_options(*command, args->folder);
     command->footer(

@@ -112,9 +112,16 @@ Texts sizes_text(const Experiment& experiment) {
 
 Texts antialias_text(const Experiment& experiment) {
     Texts texts;
-    for (const methods::Antialias antialias : experiment.compare.antialias)
+    for (const methods::Antialias antialias : experiment.antialias)
         texts.emplace_back(methods::kAntialiasNames[static_cast<std::size_t>(antialias)]);
     return texts;
+}
+
+Texts path_names() {
+    Texts names;
+    for (const scene::PathKind kind : scene::path_kinds())
+        names.emplace_back(scene::name(kind));
+    return names;
 }
 
 Texts threads_text(const Experiment& experiment) {
@@ -204,13 +211,13 @@ OptionTable make_table() {
          .doc = "Says of model files which kind of thing they are, and on which settings were "
                 "found: a TOML file like experiments/models.toml"},
         read_listed_models, model_list_text);
-    in(kCompare, "--antialias", "antialias").texts(
+    in(kTimed | kAnimation, "--antialias", "antialias").texts(
         {.name = "grid.antialias", .kind = Kind::list,
          .choices = {methods::kAntialiasNames.begin(), methods::kAntialiasNames.end()},
          .unit = "NAMES",
          .doc = "Samples of a pixel that methods draw: none, resolve4 (2 x 2) or resolve16 (4 x 4), "
                 "averaged; of several each is a method of its own, NAME_resolve4 (default: none)"},
-        [](E& e, const Given& given) { e.compare.antialias = methods::parse_antialias(given); },
+        [](E& e, const Given& given) { e.antialias = methods::parse_antialias(given); },
         antialias_text);
     add_view_rows(table);
     in(kStress, "--axes,--axis", "axis").texts(
@@ -226,6 +233,15 @@ OptionTable make_table() {
     in(kAnimation).number(
         kField<&E::animation, &AnimationRequest::frames>, "grid.frames", {2, 10000}, "N",
         "Frames of a sequence");
+    in(kAnimation).number(
+        kField<&E::animation, &AnimationRequest::step_px>, "grid.step_px", {0.01, 8}, "PX",
+        "By which the image moves a frame");
+    in(kAnimation, "", "path").texts(
+        {.name = "grid.paths", .kind = Kind::list,
+         .choices = path_names(), .unit = "PATHS",
+         .doc = "Paths of the camera before any scene, instead of the sequences of the study"},
+        read_names<&E::animation, &AnimationRequest::paths>,
+        names_text<&E::animation, &AnimationRequest::paths>);
 
     in(kTimed, "--repetitions").number(
         &E::repetitions, "measure.repetitions", {1, 10000}, "N",
@@ -237,13 +253,13 @@ OptionTable make_table() {
     in(kCompare).flag(
         kField<&E::compare, &C::full_scores>, "measure.full_scores",
         "Curves, tolerance sweep, bins and causes; else F at 2 px alone");
-    in(kCompare, "--coverage").flag(
-        kField<&E::compare, &C::coverage>, "measure.coverage",
-        "Score grey lines, too, and answer by that: soft_f of each pixel's drawn share against the "
-        "share that the true lines cover, with missing, surplus and misplaced ink; on where a "
-        "method that draws ink is named");
-    in(kCompare, "--line-width").number(
-        kField<&E::compare, &C::line_width_px>, "measure.line_width_px",
+    in(kAll, "--coverage").flag(
+        &E::coverage, "measure.coverage",
+        "Score grey lines, too: soft_f of each pixel's drawn share against the share that the true "
+        "lines cover, with missing, surplus and misplaced ink. A comparison answers by it, and has "
+        "it where a method that draws ink is named; a search for the hardest view seeks its least");
+    in(kAll, "--line-width").number(
+        &E::line_width_px, "measure.line_width_px",
         {score::kLeastLineWidth_px, score::kMostLineWidth_px}, "PX",
         "Width of grey lines: of the true ones with --coverage, and of those that methods draw with "
         "--antialias");

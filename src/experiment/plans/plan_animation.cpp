@@ -15,10 +15,27 @@ namespace {
 
 constexpr int kBaselines = 3;  // of a sequence: sampled, exact_corner and oracle
 
-/// The sequences of the study whose scene takes part.
+/// Every scene along every path that was asked for.
+std::vector<studies::Sequence> sequences_along(const Experiment& experiment,
+                                               const studies::SequenceFrames& frames) {
+    std::vector<studies::Sequence> all;
+    for (const std::string& scene : experiment.scenes) {
+        for (const scene::PathKind kind : scene::path_kinds()) {
+            const auto& paths = experiment.animation.paths;
+            if (std::find(paths.begin(), paths.end(), scene::name(kind)) != paths.end())
+                all.push_back(studies::sequence_along(kind, scene, frames));
+        }
+    }
+    return all;
+}
+
+/// The sequences of the study whose scene takes part, or those that were asked for.
 std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const ImageSize& size) {
-    std::vector<studies::Sequence> all =
-        studies::study_sequences(size.width_px, size.height_px, experiment.animation.frames);
+    const AnimationRequest& asked = experiment.animation;
+    const studies::SequenceFrames frames{
+        size.width_px, size.height_px, asked.frames, asked.step_px};
+    if (!asked.paths.empty()) return sequences_along(experiment, frames);
+    std::vector<studies::Sequence> all = studies::study_sequences(frames);
     std::vector<std::string> known;
     for (const studies::Sequence& sequence : all)
         known.push_back(sequence.scene.name);
@@ -42,10 +59,12 @@ struct Stage {
     std::vector<method::MethodConfig> configs;
     harness::TraceOptions trace;
     std::vector<studies::Sequence> sequences;
+    std::optional<double> line_width_px;  ///< of grey lines, if they are scored
 };
 
 BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t first_cell) {
     harness::CellOptions options{{.threads = threads}, stage.trace};
+    options.line_width_px = stage.line_width_px;
     const std::vector<studies::MotionRow> rows =
         studies::study_sequence(stage.configs, stage.sequences[n], options);
     BlockResult result;
@@ -53,6 +72,8 @@ BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t 
     for (const studies::MotionRow& row : rows) {
         result.lines["rows.csv"] += harness::row_line(cell, harness::Study::motion, row);
         result.lines["motion.csv"] += studies::motion_table().line(cell, row);
+        if (stage.line_width_px)
+            result.lines["ink_motion.csv"] += studies::ink_motion_table().line(cell, row);
         result.lines["lives.csv"] += studies::life_lines(cell, row);
         ++cell;
     }
@@ -95,8 +116,10 @@ void plan_animation(const Experiment& experiment, const harness::TraceOptions& t
     const auto stage = std::make_shared<Stage>();
     stage->configs = timed_configs_of(experiment);
     stage->trace = trace;
+    stage->line_width_px = scored_width_px(experiment);
     plan.add_table(harness::rows_table());
     plan.add_table(studies::motion_table());
+    if (stage->line_width_px) plan.add_table(studies::ink_motion_table());
     plan.add_table(studies::lives_table());
     plan_sequences(experiment, stage, plan);
 }

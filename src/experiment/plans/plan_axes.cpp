@@ -138,6 +138,7 @@ void plan_axes(const std::vector<studies::Axis>& axes,
         stage->configs =
             axis.repetitions > 0 ? timed_configs_of(experiment) : configs_of(experiment);
         stage->options = {{}, trace, experiment.seed};
+        stage->options.line_width_px = scored_width_px(experiment);
         stage->options.trace.truth.threads = core::hardware_threads();
         stage->options.trace.crosscheck = experiment.crosscheck;
         stage->options.measure.threads = experiment.threads.front();

@@ -48,9 +48,9 @@ struct BlockWork {
 /// Samples that a method draws of a pixel, in the mean.
 double mean_samples(const Experiment& experiment) {
     double sum = 0;
-    for (const methods::Antialias antialias : experiment.compare.antialias)
+    for (const methods::Antialias antialias : experiment.antialias)
         sum += std::pow(methods::samples_per_side(antialias), 2);
-    return sum / static_cast<double>(experiment.compare.antialias.size());
+    return sum / static_cast<double>(experiment.antialias.size());
 }
 
 /// Seconds for a block of a view, roughly, on two cores without other work: a part for every cell,

@@ -50,6 +50,7 @@ studies::HardestOptions options_of(const HardestStudy& study, const std::string&
     options.least_truth_px = asked.least_truth_px;
     options.worst = asked.worst;
     options.cell = {{}, study.trace, study.experiment.seed};
+    options.cell.line_width_px = scored_width_px(study.experiment);
     options.cell.measure.threads = study.experiment.threads.front();
     return options;
 }
@@ -60,8 +61,9 @@ BlockResult run_block(const HardestStudy& study, const StudyBlock& block) {
     const auto looks = studies::search_hardest_views(scene_views, block.options);
     if (!looks) return {};
     BlockResult result;
+    const auto looks_table = studies::hardest_table(study.experiment.coverage);
     for (const studies::HardestLook& look : *looks)
-        result.lines["hardest.csv"] += studies::hardest_table().line(look);
+        result.lines["hardest.csv"] += looks_table.line(look);
     ViewBench bench(study.experiment, study.trace, studies::worst_scene_views(scene_views, *looks));
     std::int64_t cell = block.first_cell;
     for (std::size_t s = 0; s < bench.scenes().size(); ++s) {
@@ -118,7 +120,7 @@ void plan_hardest(const Experiment& experiment, const harness::TraceOptions& tra
     plan.add_table(harness::tolerances_table());
     plan.add_table(harness::bins_table());
     plan.add_table(linear_code::cancellation_table());
-    plan.add_table(studies::hardest_table());
+    plan.add_table(studies::hardest_table(experiment.coverage));
     const int cells_of_view = static_cast<int>(configs_of(experiment).size()) + harness::kBaselines;
     for (std::size_t s = 0; s < study->scenes.size(); ++s) {
         for (const std::string& method : experiment.hardest.methods) {

@@ -78,8 +78,7 @@ void add_line_columns(RowTable& table) {
     add_widths(lines);
 }
 
-void add_ink_columns(RowTable& table) {
-    const auto soft = table.part(&RowRecord::row).part(&Row::soft);
+void add_ink_columns(const core::PartOf<score::SoftScore>& soft) {
     using S = score::SoftScore;
     soft.add_derived({"soft_f",
                       "0..1",

@@ -16,7 +16,7 @@ using RowTable = core::TableOf<RowRecord>;
 void add_line_columns(RowTable& table);
 
 /// Adds soft F and the ink that it is made of.
-void add_ink_columns(RowTable& table);
+void add_ink_columns(const core::PartOf<score::SoftScore>& soft);
 
 /// Adds a column per cause: what false_positives and false_negatives are made of.
 void add_cause_columns(RowTable& table);

@@ -4,16 +4,6 @@
 #include "score/coverage.h"
 
 namespace ink::harness {
-namespace {
-
-core::Image<float> drawn_ink(const Evaluation& evaluation, const score::InkTruth& truth) {
-    if (evaluation.row.method == kOracle) return truth.coverage;
-    return evaluation.is_grey ? score::ink_of(evaluation.image)
-                              : score::ink_of(evaluation.image, evaluation.threshold);
-}
-
-}  // namespace
-
 score::InkTruth true_ink(const ViewTruth& truth, double line_width_px) {
     const auto& labels = truth.traced.labels;
     return score::prepare_ink(
@@ -22,6 +12,12 @@ score::InkTruth true_ink(const ViewTruth& truth, double line_width_px) {
         line_width_px,
         truth.scoring,
         score_options(1));
+}
+
+core::Image<float> drawn_ink(const Evaluation& evaluation, const score::InkTruth& truth) {
+    if (evaluation.row.method == kOracle) return truth.coverage;
+    return evaluation.is_grey ? score::ink_of(evaluation.image)
+                              : score::ink_of(evaluation.image, evaluation.threshold);
 }
 
 void score_grey_lines(const ViewTruth& truth,

@@ -12,8 +12,12 @@ namespace ink::harness {
 /// count is left out (score::prepare_ink), with the harness's band and tolerance.
 [[nodiscard]] score::InkTruth true_ink(const ViewTruth& truth, double line_width_px);
 
-/// Writes the soft score of every evaluation that did not fail into its row. An image of strengths
-/// is all or nothing by its threshold, a grey one counts as it is; the oracle draws the true ink.
+/// What was drawn as shares of pixels: an image of strengths is all or nothing by its threshold, a
+/// grey one counts as it is; the oracle draws the true ink.
+[[nodiscard]] core::Image<float> drawn_ink(const Evaluation& evaluation,
+                                           const score::InkTruth& truth);
+
+/// Writes the soft score of every evaluation that did not fail into its row.
 void score_grey_lines(const ViewTruth& truth,
                       double line_width_px,
                       std::vector<Evaluation>& evaluations);

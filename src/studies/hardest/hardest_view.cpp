@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "harness/scores/grey_lines.h"
 #include "scene/prepared_scene.h"
 #include "search/search.h"
 
@@ -156,6 +157,8 @@ class Looker {
                               "a method that draws it");
         }
         harness::finish_evaluations(stage.scene, view, traced, options_.cell, drawn);
+        if (options_.cell.line_width_px && traced.has_truth())
+            harness::score_grey_lines(traced.truth, *options_.cell.line_width_px, drawn);
         HardestLook look;
         look.scene = rest_.scene.name;
         look.shown_as = stage.scene.name;
@@ -167,6 +170,8 @@ class Looker {
         if (row.is_ok()) look.count = {row.k_2px, row.n_pred, row.n_truth};
         if (row.is_scored()) look.f_2px = row.f_2px;
         if (drawn.size() > 1 && drawn[1].row.is_scored()) look.f_against = drawn[1].row.f_2px;
+        look.soft = row.soft;
+        if (drawn.size() > 1 && drawn[1].row.soft) look.soft_f_against = drawn[1].row.soft->f();
         judge(look);
         return look;
     }
@@ -178,10 +183,10 @@ class Looker {
         if (look.is_candidate() && n_truth < least)
             look.status = fmt::format(
                 "few: {} true pixels, of {} at least", look.count.n_truth, options_.least_truth_px);
-        if (!look.is_candidate() || !look.f_2px) {
+        if (!look.is_candidate() || !look.f()) {
             look.value = kNoCandidate + 1 - std::min(1.0, n_truth / std::max(1.0, least));
         } else {
-            look.value = *look.f_2px - (look.f_against ? *look.f_against : 0);
+            look.value = *look.f() - look.other_f().value_or(0);
         }
     }
 

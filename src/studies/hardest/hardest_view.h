@@ -9,6 +9,7 @@
 #include "harness/suite/suite.h"
 #include "method/method_config.h"
 #include "score/score.h"
+#include "score/soft_score.h"
 #include "studies/hardest/view_space.h"
 
 namespace ink::studies {
@@ -17,7 +18,8 @@ namespace ink::studies {
 inline constexpr double kDistinct_deg = 10;
 
 /// What is looked for on a scene: the view on which `method` has the least F at 2 px, or, with
-/// `against`, loses most F to that one.
+/// `against`, loses most F to that one; of soft F where `cell.line_width_px` says how wide the true
+/// lines are.
 struct HardestOptions {
     method::MethodConfig method;
     std::optional<method::MethodConfig> against = {};
@@ -35,16 +37,24 @@ struct HardestLook {
     std::string against;  ///< "" for none
     int evaluation = 0;   ///< in the order of the search, from 1; of usual views from 1 again
     std::string phase;    ///< usual (the scene's own views), start, global, local
-    double value = 0;     ///< what the search lowers: F, or its lead; above 1 for no candidate
+    double value = 0;     ///< what the search lowers: F, or its lead; from 1 on for no candidate
     std::string status = "ok";         ///< or why it is no candidate
     score::CurveCount count = {};      ///< of `method`; 0 where it has no score
     std::optional<double> f_2px = {};  ///< of `method`
     std::optional<double> f_against = {};
+    std::optional<score::SoftScore> soft = {};  ///< of `method`, where soft F is searched
+    std::optional<double> soft_f_against = {};
     ViewChoice choice = {};
     std::optional<int> rank = {};  ///< of a view that was kept, 1 for the worst
     std::string shown_as = {};     ///< its scene's name in rows.csv, which has the moment
     std::string view = {};         ///< its name there; of usual views their own name
 
+    /// F of `method`, soft F where that is searched.
+    [[nodiscard]] std::optional<double> f() const { return soft ? soft->f() : f_2px; }
+    /// The same of the other.
+    [[nodiscard]] std::optional<double> other_f() const {
+        return soft ? soft_f_against : f_against;
+    }
     [[nodiscard]] bool is_candidate() const { return status == "ok"; }
     /// What says where it is to commands that take a view: "--eye 1,2,3 --target 0,0,0 --fov 40".
     [[nodiscard]] std::string view_words() const;

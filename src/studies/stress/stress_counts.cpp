@@ -104,7 +104,9 @@ std::int64_t count_non_finite(const truth::Truth& truth) {
 
 std::int64_t count_non_finite(const harness::Row& row) {
     std::int64_t count = 0;
-    for (const std::optional<double>& share : {row.f_2px, row.precision_2px, row.recall_2px})
+    const std::optional<double> soft_f = row.soft ? row.soft->f() : std::nullopt;
+    for (const std::optional<double>& share :
+         {row.f_2px, row.precision_2px, row.recall_2px, soft_f})
         count += share && !(*share >= 0 && *share <= 1) ? 1 : 0;
     count += row.mean_width_px && !std::isfinite(*row.mean_width_px) ? 1 : 0;
     return count;

@@ -4,6 +4,7 @@
 state.define('axes.axis', '');
 state.define('axes.log', false);
 state.define('axes.own', false);
+state.define('axes.soft', false);
 
 /// An error that moves by less than this along an axis counts as steady.
 const AXIS_STEADY = 0.02;
@@ -13,6 +14,7 @@ const AXIS_NOISE = 0.1;
 /// What is drawn over an axis.
 const AXIS_MEASURES = {
     error: {title: 'error 1 − F', id: 'stress', format: value => formatShare(value)},
+    soft: {title: 'error 1 − soft F', id: 'stress', format: value => formatShare(value)},
     time: {title: 'least time of a frame', id: 'scaling', format: axisTime},
 };
 
@@ -26,13 +28,13 @@ addSection({
     uses: ['axes.*', 'sort.axis*'],
     draw(root, view) {
         const axes = axesOf(view);
-        const errors = axes.filter(axis => axis.measure === AXIS_MEASURES.error);
+        const errors = axes.filter(axis => axis.measure !== AXIS_MEASURES.time);
         axisFaults(root, view, errors);
         if (axes.length === 0) {
             root.append(element('p', {class: 'note'}, 'The filters leave no method that was measured here.'));
             return;
         }
-        root.append(axisTools(), methodLegend(root, [...new Set(axes.flatMap(axis => axis.curves.map(c => c.info)))]));
+        root.append(axisTools(hasSoftAxes(view)), methodLegend(root, [...new Set(axes.flatMap(axis => axis.curves.map(c => c.info)))]));
         const grid = chartGrid();
         root.append(grid);
         const shared = d3.max(errors, axis => axisMost(axis.curves));
@@ -45,6 +47,11 @@ addSection({
         root.append(element('p', {class: 'note'}, axisWords(view, errors)));
     },
 });
+
+/// Whether grey lines were scored along the axes.
+function hasSoftAxes(view) {
+    return view.run.table('axis_summary.csv').lines.some(line => isNumber(line.soft_f));
+}
 
 /// Rows of studies whose times are told over an axis: those of one scene.
 function axisTimes(run) {
@@ -69,9 +76,12 @@ function axesOf(view) {
         };
     }).filter(axis => axis.curves.length > 0);
     const share = f => (isNumber(f) ? 1 - f : null);
+    const errors = state.get('axes.soft') && hasSoftAxes(view)
+        ? [AXIS_MEASURES.soft, line => ({line, value: line.value, y: share(line.soft_f)})]
+        : [AXIS_MEASURES.error, line => ({
+            line, value: line.value, y: share(line.f), low: share(line.f_hi), high: share(line.f_lo)})];
     return [
-        ...make(AXIS_MEASURES.error, view.run.table('axis_summary.csv').lines, line => ({
-            line, value: line.value, y: share(line.f), low: share(line.f_hi), high: share(line.f_lo)})),
+        ...make(errors[0], view.run.table('axis_summary.csv').lines, errors[1]),
         ...make(AXIS_MEASURES.time, axisTimes(view.run), line => ({
             line, value: line.value, y: line.draw_ns_min,
             noise: Math.max(AXIS_NOISE, line.draw_ns / line.draw_ns_min - 1 || 0)})),
@@ -208,7 +218,8 @@ function oneAxis(root, axes) {
     makeTable(root, {
         name: `axis-${axis.name}`, lines: axis.curves, lineClass: baselineClass,
         caption: isTime ? 'Least time of a frame.'
-            : 'Error 1 − F at 2 px, with its 95 % interval where several scenes were drawn.',
+            : axis.measure === AXIS_MEASURES.soft ? 'Error 1 − soft F.'
+                : 'Error 1 − F at 2 px, with its 95 % interval where several scenes were drawn.',
         columns: [infoColumn(), ...values.map((value, i) => ({
             key: `at_${i}`, title: axisValue(axis, value), best: 'low',
             value: curve => pointAt(curve, value).y ?? null, text: curve => axis.measure.format(pointAt(curve, value).y),

@@ -1,11 +1,13 @@
 // Charts of curves over an axis, and how steeply times grow along one.
 
-function axisTools() {
+function axisTools(hasSoft) {
     return element('div', {class: 'tools'},
         choiceButtons('Scale of the error', [[false, 'Linear error'], [true, 'Logarithmic error']],
             state.get('axes.log'), log => state.set({'axes.log': log})),
         choiceButtons('Range of the error', [[false, 'Same range'], [true, 'Own range']],
-            state.get('axes.own'), own => state.set({'axes.own': own})));
+            state.get('axes.own'), own => state.set({'axes.own': own})),
+        hasSoft ? choiceButtons('Measure of the error', [[false, 'F at 2 px'], [true, 'Soft F']],
+            state.get('axes.soft'), soft => state.set({'axes.soft': soft})) : null);
 }
 
 function axisPointText(axis, curve, {line, value, y, low, high, noise}) {
@@ -97,7 +99,7 @@ function axisCsv(axis) {
     const fields = axis.measure === AXIS_MEASURES.time
         ? ['axis', 'value', 'method', 'width', 'height', 'triangles', 'draw_ns_min', 'draw_ns', 'draw_n']
         : ['axis', 'value', 'method', 'cases', 'f', 'f_lo', 'f_hi', 'precision', 'recall', 'truth_px',
-            ...AXIS_FAULTS.map(fault => fault[0])];
+            ...(axis.measure === AXIS_MEASURES.soft ? ['soft_f'] : []), ...AXIS_FAULTS.map(fault => fault[0])];
     return [fields, ...axis.lines.map(line => fields.map(field => line[field]))];
 }
 

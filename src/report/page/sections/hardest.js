@@ -25,12 +25,17 @@ addSection({
     },
 });
 
+/// F of a look, that of the other method there, and which F that is: soft F if that was searched.
+const lookF = look => look.soft_f ?? look.f_2px;
+const lookOtherF = look => look.soft_f_against ?? look.f_against;
+const lookMeasure = look => (isNumber(look.soft_f) ? 'soft F' : 'F');
+
 /// "surface8 falls to 0.312 on rocket": of the worst view of all.
 function hardestWords(run) {
     const worst = d3.least(run.table('hardest.csv').lines.filter(line => line.rank !== null), line => line.value);
     if (!worst) return 'No view was a candidate';
-    const other = worst.against ? `, where ${worst.against} has ${formatShare(worst.f_against)}` : '';
-    return `${worst.method} falls to F ${formatShare(worst.f_2px)} on ${worst.shown_as}${other}`;
+    const other = worst.against ? `, where ${worst.against} has ${formatShare(lookOtherF(worst))}` : '';
+    return `${worst.method} falls to ${lookMeasure(worst)} ${formatShare(lookF(worst))} on ${worst.shown_as}${other}`;
 }
 
 /// Where a look is, as commands take it.
@@ -52,10 +57,10 @@ function worstView(view, look, place) {
     const canvas = element('canvas', {class: 'thumb'});
     const open = () => openInViewer({scene: look.shown_as, view: look.view, left: 'truth', right: look.method});
     drawThumb(canvas, view.run, look.shown_as, look.view, look.method, WORST_PX, state.get('look'));
-    const other = isNumber(look.f_against) ? `, ${look.against} ${formatShare(look.f_against)}` : '';
+    const other = isNumber(lookOtherF(look)) ? `, ${look.against} ${formatShare(lookOtherF(look))}` : '';
     return element('figure', {class: 'worst-view'},
         element('button', {type: 'button', class: 'thumb-button', 'aria-label': `Worst view ${place}: ${look.shown_as}`, onclick: open}, canvas),
-        element('figcaption', {}, element('strong', {}, `${place}. ${look.shown_as}`), `: F ${formatShare(look.f_2px)}${other}, ${formatNumber(look.n_truth)} true px`,
+        element('figcaption', {}, element('strong', {}, `${place}. ${look.shown_as}`), `: ${lookMeasure(look)} ${formatShare(lookF(look))}${other}, ${formatNumber(look.n_truth)} true px`,
             row && !isScored(row) ? element('p', {class: 'note'}, row.status) : null,
             row ? element('ul', {class: 'legend'}, worstCauses(row).map(({rgb, text, px}) => element('li', {},
                 element('i', {style: `background:${rgbText(rgb)}`}), `${formatNumber(px)} px ${text}`))) : null,
@@ -65,6 +70,8 @@ function worstView(view, look, place) {
 /// Counts of several looks pooled; null for none with a score.
 function pooledLooks(looks) {
     const total = name => d3.sum(looks, look => look[name]);
+    const [matched, other] = [2 * total('ink_matched_px'), total('ink_surplus_px') + total('ink_missing_px')];
+    if (matched + other > 0) return matched / (matched + 2 * total('ink_misplaced_px') + other);
     const all = total('n_pred') + total('n_truth');
     return all > 0 ? 2 * total('k_2px') / all : null;
 }
@@ -74,16 +81,16 @@ function hardestTable(root, lines) {
         const usual = looks.filter(look => look.phase === 'usual');
         const searched = looks.filter(look => look.phase !== 'usual');
         const worst = searched.find(look => look.rank === 1) || null;
-        return {scene: looks[0].scene, method: looks[0].method, usual: pooledLooks(usual), worst, f: worst && worst.f_2px,
-                against: worst && worst.f_against, looked: searched.length, candidates: searched.filter(look => look.status === 'ok').length};
+        return {scene: looks[0].scene, method: looks[0].method, usual: pooledLooks(usual), worst, f: worst && lookF(worst),
+                against: worst && lookOtherF(worst), looked: searched.length, candidates: searched.filter(look => look.status === 'ok').length};
     });
     makeTable(root, {
         name: 'hardest', lines: found, order: 'f.up', caption: 'By scene and method',
         columns: [
             {key: 'scene', title: 'scene', isText: true, value: line => line.scene},
             {key: 'method', title: 'method', isText: true, value: line => line.method},
-            shareColumn('usual', 'usual views', line => line.usual, {help: 'F over the scene’s own views, pooled'}),
-            shareColumn('f', 'hardest view', line => line.f, {help: 'F on the worst view that was found'}),
+            shareColumn('usual', 'usual views', line => line.usual, {help: `${lookMeasure(lines[0])} over the scene’s own views, pooled`}),
+            shareColumn('f', 'hardest view', line => line.f, {help: `${lookMeasure(lines[0])} on the worst view that was found`}),
             shareColumn('against', 'the other there', line => line.against),
             {key: 'truth', title: 'true px', value: line => line.worst && line.worst.n_truth, text: line => (line.worst ? formatNumber(line.worst.n_truth) : NOTHING)},
             {key: 'looked', title: 'views looked at', value: line => line.looked},

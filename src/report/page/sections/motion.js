@@ -40,10 +40,12 @@ addSection({
 /// What each method did over all its sequences that did not fail.
 function motionTotals(view, lines) {
     const lives = groupBy(view.lines('lives.csv'), line => line.method);
+    const inks = groupBy(view.lines('ink_motion.csv'), line => line.method);
     return byMethod(view.run, lines).map(group => {
         const drawn = group.lines.filter(line => line.status === 'ok');
         const ofMethod = lives.get(group.name) || [];
         const steps = sumOf(drawn, 'feature_steps');
+        const ink = inks.get(group.name) || [];
         return {
             ...group, drawn: drawn.length, failed: group.lines.length - drawn.length,
             frames: sumOf(drawn, 'frames'),
@@ -52,6 +54,7 @@ function motionTotals(view, lines) {
             pops: sumOf(drawn, 'pops'), features: sumOf(drawn, 'feature_runs'), steps,
             popsPerMinute: steps > 0 ? (60 * sumOf(drawn, 'pops') * drawn[0].frames_per_s) / steps : null,
             falseLines: sumOf(drawn, 'false_lines'), cut: sumOf(drawn, 'false_lines_cut'),
+            inkBeyond: shareOf(sumOf(ink, 'ink_beyond_px'), sumOf(ink, 'ink_true_change_px')),
             lives: ofMethod, medianLife: motionMedianLife(ofMethod),
         };
     });
@@ -136,6 +139,8 @@ function motionTable(root, totals) {
                 text: total => String(total.appeared + total.disappeared)},
             number('excused', 'excused px', 'Pixels like those where a true line came or went',
                 {text: total => String(total.excused)}),
+            ...(totals.some(total => isNumber(total.inkBeyond)) ? [number('inkBeyond', 'ink beyond',
+                'Change of grey pixels beyond that of the true lines, as a share of it', {best: 'low'})] : []),
             number('popsPerMinute', 'pops a minute', 'Per feature that is visible throughout', {best: 'low'}),
             number('pops', 'pops', null, {text: total => String(total.pops)}),
             number('features', 'features', 'Lines of one edge and class, each run of frames in which it is visible',
