@@ -303,7 +303,7 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
         }
         EXPECT_LT(work_s, 1800) << entry.path();
     }
-    EXPECT_EQ(files, 8);
+    EXPECT_EQ(files, 9);
 }
 
 }  // namespace
