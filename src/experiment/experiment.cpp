@@ -80,7 +80,7 @@ void cover_named_ink(Experiment& experiment) {
     const std::vector<std::string>& names = experiment.methods;
     const bool is_all = names.size() == methods::registry().size();
     if (is_all || experiment.kind != ExperimentKind::compare) return;
-    experiment.compare.coverage |= std::any_of(names.begin(), names.end(), [](const auto& name) {
+    experiment.coverage |= std::any_of(names.begin(), names.end(), [](const auto& name) {
         return methods::draws_ink(methods::find_method(name));
     });
 }

@@ -194,7 +194,7 @@ TEST(ExperimentFile, InkIsAsWideAsTheTrueLinesItIsComparedWith) {
     EXPECT_EQ(width_of(""), "1.5") << "who names ink is scored by ink";
     EXPECT_EQ(width_of("[measure]\ncoverage = true\nline_width_px = 2.5\n"), "2.5");
     EXPECT_EQ(width_of("[measure]\ncoverage = true\n[settings]\nstrokes.width_px = 3\n"), "3");
-    EXPECT_FALSE(parse(kHead).compare.coverage) << "all methods are not named";
+    EXPECT_FALSE(parse(kHead).coverage) << "all methods are not named";
 }
 
 /// A value of every option as text: its least for a number, its last word for a choice.
