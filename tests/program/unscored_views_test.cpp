@@ -79,7 +79,7 @@ TEST(EmptyView, ChangesNoNumberOfTheOthers) {
         }
     }
     EXPECT_EQ(parse_csv(desk.read("out/unscored.csv")).size(), 1U);
-    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("empty: no line of the scene"));
+    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("\"unscored.csv\":{\"lines\":1,"));
 }
 
 TEST(EmptyView, IsNothingToSearch) {
