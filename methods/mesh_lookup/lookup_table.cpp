@@ -48,7 +48,8 @@ LookupTable lookup_table(const scene::PreparedScene& scene) {
     LookupTable table;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         const LookupFace& face = mesh.faces[f];
-        std::uint32_t rest = words[f] & ~LookupWord::kFaceOfCoded;
+        std::uint32_t rest =
+            (words[f] & ~LookupWord::kFaceOfCoded) | (mesh.objects[f] & LookupTable::kObject) << 9U;
         for (std::size_t i = 0; i < 3; ++i)
             rest |= static_cast<std::uint32_t>(face.kinds[i]) << 3 * i;
         table.faces.push_back({face.vertices,

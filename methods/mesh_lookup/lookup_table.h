@@ -16,10 +16,12 @@ namespace ink::methods {
 [[nodiscard]] std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
                                                       const std::vector<std::uint32_t>& codes);
 
-/// What the shader of surface_lookup reads, at default parameters.
+/// What the shaders of surface_lookup and chords read, at default parameters.
 struct LookupTable {
+    static constexpr std::uint32_t kObject = 0x3fff;  ///< bits by which objects are told apart
     /// Corners and patch, and the twins of edges (Twin); the last has the face's code and flag in
-    /// its upper nine bits, as its word, and 3 bits for the kind of each edge in its lower nine.
+    /// its upper nine bits, as its word, then its object, and 3 bits for the kind of each edge in
+    /// its lower nine.
     struct Face {
         std::array<std::uint32_t, 3> corners;
         std::uint32_t patch;

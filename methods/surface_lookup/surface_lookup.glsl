@@ -6,7 +6,7 @@
 //// vertex
 precision highp float;
 precision highp int;
-uniform highp usampler2D faces;  // 4096 texels a row, two a face: corners, patch; twins, code << 24 | flag << 23 | kinds
+uniform highp usampler2D faces;  // 4096 texels a row, two a face: corners, patch; twins, code << 24 | flag << 23 | object << 9 | kinds
 uniform highp sampler2D points;  // 4096 texels a row: positions, as bones and morphs have moved them
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform vec2 size;  // of the image, px
@@ -36,33 +36,50 @@ layout(location = 1) out highp uint drawn_depth;
 void main() { drawn = word, drawn_depth = floatBitsToUint(nearness * gl_FragCoord.w); }
 //// screen of surface8
 //// lines
+const bool notes_lines = false;  // a walk ends at the first line
+//-- walks
 precision highp float;
 precision highp int;
 uniform highp usampler2D codes, depths, faces;
 uniform highp sampler2D points;
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform vec2 size;
-out vec4 line;
 
 const uint nothing = 0xffffffffu, many = 0xfffffffbu;
-const int arrived = 0, border = 1, other_line = 2, beyond = 3, lost = 4;
+const int arrived = 0, border = 1, other_line = 2, beyond = 3, cut = 4, lost = 5, fork = 6;
+const int no_line = 0, sure_line = 1, doubt = 2;
 
 ivec2 at(int i) { return ivec2(i & 4095, i >> 12); }
 uint word_at(ivec2 p) { return texelFetch(codes, p, 0).r; }
 float q_at(ivec2 p) { return uintBitsToFloat(texelFetch(depths, clamp(p, ivec2(0), ivec2(size)), 0).r); }
 
-/// A corner of a face, in the view and on the screen: 1/256 px along a walk and beside it, and 1/distance.
-struct Corner { vec3 p_view; ivec2 place; float q; };
+/// What codes and depths tell of a side whose faces differ.
+int judged(ivec2 p, ivec2 to, uint a, uint b) {
+    float q_a = q_at(p), q_b = q_at(p + to), jump = q_b - q_a;
+    float bend_a = abs(jump - (q_a - q_at(p - to))), bend_b = abs(jump - (q_at(p + 2 * to) - q_b));
+    // As much as a pixel is wide, a tenth of it.
+    float least = 0.2 / (size.y * projectionMatrix[1][1]) * (projectionMatrix[3][3] == 0.0 ? max(q_a, q_b) : 1.0);
+    int apart = abs(int(a >> 24) - int(b >> 24));
+    bool is_flagged = ((a | b) & 0x800000u) != 0u;
+    if (apart >= 4 && !is_flagged && max(bend_a, bend_b) > least) return sure_line;
+    return apart < 2 && !is_flagged && min(bend_a, bend_b) <= least ? no_line : doubt;
+}
+
+/// A corner of a face in the view, and on the screen times w, which holds behind the eye, too: 1/256 px along a walk
+/// and beside it, w, and 1/distance.
+struct Corner { vec3 p_view; vec4 h; };
 
 Corner corner_of(uint point, ivec2 from, ivec2 to) {
     vec4 p_view = modelViewMatrix * texelFetch(points, at(int(point)), 0);
     vec4 clip = projectionMatrix * p_view;
-    ivec2 place = ivec2(floor(256.0 * 0.5 * (clip.xy / clip.w * size + size + 1.0) + 0.5)) - 256 * from - 128;
-    bool is_down = to.x == 0;
+    vec2 place = 128.0 * (clip.xy * size + clip.w * (size + 1.0));
+    vec2 start = vec2(256 * from + 128);
+    bool is_on_screen = max(abs(clip.x), abs(clip.y)) < 1e3 * clip.w;
+    place = is_on_screen ? clip.w * (floor(place / clip.w + 0.5) - start) : place - clip.w * start;
     // Of a parallel camera as `nearness` above.
     float z = projectionMatrix[2][2] < 0.0 ? 1.0 - clip.z : clip.z;
-    float q = projectionMatrix[3][3] == 0.0 ? 1.0 / clip.w : z / abs(projectionMatrix[2][2]);
-    return Corner(p_view.xyz, is_down ? ivec2(place.y * to.y, place.x) : ivec2(place.x * to.x, place.y), q);
+    float q = projectionMatrix[3][3] == 0.0 ? 1.0 : z / abs(projectionMatrix[2][2]);
+    return Corner(p_view.xyz, vec4(dot(place, vec2(to)), to.x == 0 ? place.x : place.y, clip.w, q));
 }
 
 /// Which side of a face is seen.
@@ -71,25 +88,38 @@ float facing_of(Corner c[3]) {
     return sign(projectionMatrix[3][3] == 0.0 ? dot(n, c[0].p_view) : -n.z);
 }
 
-/// Where a walk crosses an edge: px from its sample, and 1/distance there.
+/// Where a walk crosses an edge: px from its sample, and 1/distance there; 0 behind the eye.
 vec2 crossing_of(Corner a, Corner b) {
-    float t = float(a.place.y) / float(a.place.y - b.place.y);
-    return vec2((float(a.place.x) + t * float(b.place.x - a.place.x)) / 256.0, a.q + t * (b.q - a.q));
+    vec4 h = a.h + a.h.y / (a.h.y - b.h.y) * (b.h - a.h);
+    return h.z > 0.0 ? vec2(h.x / 256.0, h.w) / h.z : vec2(h.x > 0.0 ? 1e9 : -1e9, 0);
 }
 
-/// How a walk ended, where (as crossing_of), on which face, where it came to that, and over which edge it left it.
-struct Walk { int end; vec2 left; uint face; vec2 entered; };
+/// How a walk ended, where (as crossing_of), on which face, and where it came to that; where lines are noted, the
+/// last four, the newest first, and 1/distance at `asked`, below 0 if it did not come there.
+struct Walk { int end; vec2 left; uint face; vec2 entered; uvec4 lines; float q_asked; };
+
+/// 1/distance of the last face at s px from the walk's sample.
+float q_on(Walk walk, float s) {
+    float length_px = walk.left.x - walk.entered.x;
+    return mix(walk.entered.y, walk.left.y, length_px > 0.0 ? (s - walk.entered.x) / length_px : 0.0);
+}
+
+/// A line in 16 bits: a name of the edge that its corners give, 1 to 254, and its place in 1/255.
+uint line_word(uint corner, uint other, float s) {
+    uint name = 1u + (((corner + other) * 0x9e3779b1u ^ corner * other * 0x85ebca6bu) >> 16) % 254u;
+    return name << 8 | uint(255.0 * clamp(s, 0.0, 1.0) + 0.5);
+}
 
 /// From the face at one sample along `to`, until the face `goal`, a line or past the next sample.
-Walk walk(ivec2 from, ivec2 to, uint face, uint goal) {
-    Walk walk = Walk(lost, vec2(0), face, vec2(0));
+Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
+    Walk walk = Walk(lost, vec2(0), face, vec2(0), uvec4(0), -1.0);
     Corner c[3];
     uvec4 corners = texelFetch(faces, at(2 * int(face)), 0);
     for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
     int leaves = -1, count = 0;
     for (int i = 0; i < 3; ++i) {
         int k = (i + 1) % 3;
-        if ((c[i].place.y > 0) == (c[k].place.y > 0)) continue;
+        if ((c[i].h.y > 0.0) == (c[k].h.y > 0.0)) continue;
         vec2 found = crossing_of(c[i], c[k]);
         bool is_last = count == 0 || found.x > walk.left.x;
         if (is_last) walk.entered = walk.left, walk.left = found, leaves = i;
@@ -99,33 +129,38 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal) {
     if (count != 2) return walk;
     float facing = facing_of(c);
     for (int step = 0; step < 64; ++step) {
+        if (notes_lines && walk.q_asked < 0.0 && walk.left.x >= asked) walk.q_asked = q_on(walk, asked);
         if (walk.left.x > 1.0 + 1.0 / 256.0) {
-            walk.end = beyond;
+            walk.end = walk.left.y > 0.0 ? beyond : cut;
             return walk;
         }
         uvec4 rest = texelFetch(faces, at(2 * int(walk.face) + 1), 0);
         uint twin = rest[leaves];
-        if (twin == many) return walk;
         uint next = (twin & 0x3ffffffcu) >> 2;
         int edge = int(twin & 3u);
+        bool is_two = twin != nothing && twin != many;
+        uint kind = rest.w >> (3 * leaves) & 7u;
+        uint noted = notes_lines ? line_word(corners[leaves], corners[(leaves + 1) % 3], walk.left.x) : 0u;
         float facing_next = 0.0;
-        if (twin != nothing) {
+        if (is_two) {
             corners = texelFetch(faces, at(2 * int(next)), 0);
             for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
             facing_next = facing_of(c);
         }
-        bool is_open = facing != 0.0 && facing_next == ((twin & 0x80000000u) != 0u ? -facing : facing);
-        uint kind = rest.w >> (3 * leaves) & 7u;
-        if (twin == nothing || !is_open || kind != 0u) {
-            walk.end = twin == nothing ? border : other_line;
-            return walk;
+        bool is_open = is_two && facing != 0.0 && facing_next == ((twin & 0x80000000u) != 0u ? -facing : facing);
+        if (!is_open || kind != 0u) {
+            if (notes_lines) walk.lines = uvec4(noted, walk.lines.xyz);
+            if (!is_open || !notes_lines) {
+                walk.end = twin == many ? fork : twin == nothing ? border : other_line;
+                return walk;
+            }
         }
         walk.face = next;
         walk.end = next == goal ? arrived : lost;
         if (next == goal) return walk;
         facing = facing_next;
-        bool is_high = c[(edge + 2) % 3].place.y > 0;
-        leaves = (edge + (is_high == (c[edge].place.y > 0) ? 1 : 2)) % 3;
+        bool is_high = c[(edge + 2) % 3].h.y > 0.0;
+        leaves = (edge + (is_high == (c[edge].h.y > 0.0) ? 1 : 2)) % 3;
         walk.entered = walk.left;
         walk.left = crossing_of(c[leaves], c[(leaves + 1) % 3]);
     }
@@ -133,44 +168,41 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal) {
 }
 
 /// Whether the surface of a walk goes on to the next sample, no farther off than what is seen there.
-bool goes_on(Walk walk, float q_seen) {
-    if (walk.end != beyond) return false;
-    float length_px = walk.left.x - walk.entered.x;
-    float share = length_px > 0.0 ? (1.0 - walk.entered.x) / length_px : 0.0;
-    float q = mix(walk.entered.y, walk.left.y, share);
-    return q >= q_seen * (1.0 - 1e-5);
-}
+bool goes_on(Walk walk, float q_seen) { return walk.end == beyond && q_on(walk, 1.0) >= q_seen * (1.0 - 1e-5); }
 
 uint patch_of(uint face) { return texelFetch(faces, at(2 * int(face)), 0).w; }
+uint object_of(uint face) { return texelFetch(faces, at(2 * int(face) + 1), 0).w >> 9 & 0x3fffu; }
+
+/// Whether borders that ended two walks are both sides of a crack.
+bool is_crack(Walk there, Walk back) {
+    return there.end == border && back.end == border && abs(there.left.x + back.left.x - 1.0) <= 1.0 / 64.0 &&
+        abs(there.left.y - back.left.y) <= 1e-4 * there.left.y;
+}
+//-- end
+out vec4 line;
 
 /// Whether the mesh has a line between two samples.
 bool is_found(ivec2 p, ivec2 to, uint a, uint b) {
     Walk walks[2];
     for (int i = 0; i < 2; ++i) {  // there, and back
-        walks[i] = walk(i == 0 ? p : p + to, i == 0 ? to : -to, i == 0 ? a : b, i == 0 ? b : a);
+        walks[i] = walk(i == 0 ? p : p + to, i == 0 ? to : -to, i == 0 ? a : b, i == 0 ? b : a, 0.0);
         if (walks[i].end == arrived) return false;
     }
-    Walk there = walks[0], back = walks[1];
-    if ((there.end == lost || back.end == lost) && patch_of(a) == patch_of(b)) return false;
-    if (goes_on(there, q_at(p + to)) || goes_on(back, q_at(p))) return false;
-    bool is_crack = there.end == border && back.end == border && abs(there.left.x + back.left.x - 1.0) <= 1.0 / 64.0 &&
-        abs(there.left.y - back.left.y) <= 1e-4 * there.left.y;
-    return !is_crack;
+    if ((walks[0].end >= lost || walks[1].end >= lost) && patch_of(a) == patch_of(b)) return false;
+    // Of two objects the border of one on the other, and a crack between them, are seams.
+    bool are_two = object_of(a) != object_of(b);
+    bool goes_there = goes_on(walks[0], q_at(p + to)), goes_back = goes_on(walks[1], q_at(p));
+    if (goes_there || goes_back) return are_two && min(walks[0].end, walks[1].end) <= other_line;
+    if (walks[0].end == cut || walks[1].end == cut) return min(walks[0].end, walks[1].end) <= other_line;
+    return are_two || !is_crack(walks[0], walks[1]);
 }
 
 bool is_line(ivec2 p, ivec2 to) {
     uint a = word_at(p), b = word_at(p + to);
     if (a == b) return false;
     if (a == 0u || b == 0u) return true;
-    float q_a = q_at(p), q_b = q_at(p + to), jump = q_b - q_a;
-    float bend_a = abs(jump - (q_a - q_at(p - to))), bend_b = abs(jump - (q_at(p + 2 * to) - q_b));
-    // As much as a pixel is wide, a tenth of it.
-    float least = 0.2 / (size.y * projectionMatrix[1][1]) * (projectionMatrix[3][3] == 0.0 ? max(q_a, q_b) : 1.0);
-    int apart = abs(int(a >> 24) - int(b >> 24));
-    bool is_flagged = ((a | b) & 0x800000u) != 0u;
-    if (apart >= 4 && !is_flagged && max(bend_a, bend_b) > least) return true;
-    if (apart < 2 && !is_flagged && min(bend_a, bend_b) <= least) return false;
-    return is_found(p, to, a & 0x7fffffu, b & 0x7fffffu);
+    int told = judged(p, to, a, b);
+    return told == doubt ? is_found(p, to, a & 0x7fffffu, b & 0x7fffffu) : told == sure_line;
 }
 
 void main() {

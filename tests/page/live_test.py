@@ -3,6 +3,7 @@ programs call in it. Its lines must be those of the program's methods."""
 
 import base64
 import io
+import json
 import sys
 import unittest
 from pathlib import Path
@@ -21,9 +22,11 @@ SHADERS = Path(PROGRAM).parent / "generated" / "shaders"  # whole
 SIZE = (320, 180)
 # The thresholds of the program's methods; 128 for what is not here.
 THRESHOLDS = {"roberts": 74, "decaudin": 146, "mote4": 6}
-MOST_SHADER_LINES = {"surface_lookup": 190}  # 60 for what is not here
+MOST_SHADER_LINES = {"chords": 390, "surface_lookup": 220}  # 60 for what is not here
+INK = {"chords"}
 # SwiftShader snaps vertices to 1/16 px and the program to 1/256 px: so much of the lines is the same.
 LEAST_EQUAL = 0.95
+MOST_APART = 4  # of 255, in the mean over pixels with ink
 
 
 class LiveTest(BrowserTest):
@@ -34,7 +37,7 @@ class LiveTest(BrowserTest):
     @classmethod
     def make_runs(cls):
         size = "x".join(map(str, SIZE))
-        inkbench("compare", "--scenes", "blocks", "--methods", "surface8,ids", "--size", size, "--views", "2",
+        inkbench("compare", "--scenes", "blocks", "--methods", "chords,surface8,ids", "--size", size, "--views", "2",
                  "--repetitions", "1", "--no-sweep", "--no-crosscheck", "--out", cls.folder / "run")
         cls.page = cls.folder / "blocks.html"
         inkbench("page", "blocks", "--size", size, "--views", "2", "--run", cls.folder / "run", "-o", cls.page)
@@ -80,10 +83,19 @@ class LiveTest(BrowserTest):
     def wait_for_lines(self, name="", colour=(0, 0, 0)):
         self.wait_for_ink(lambda left, right: min(left, right) > 60, name, colour)
 
-    def drawn(self, method, view="view0"):
+    def ink_of(self, method, view="view0", width_px=1):
         text = self.script("const bytes = inkbench.draw({method: arguments[0], width: arguments[1], height: arguments[2],"
-                           "view: arguments[3]}); return Array.from(bytes)", method, *SIZE, view)
-        return numpy.array(text, numpy.uint8).reshape(SIZE[1], SIZE[0]) > 0
+                           "view: arguments[3], lineWidthPx: arguments[4]}); return Array.from(bytes)",
+                           method, *SIZE, view, width_px)
+        return numpy.array(text, numpy.uint8).reshape(SIZE[1], SIZE[0])
+
+    def drawn(self, method, view="view0"):
+        return self.ink_of(method, view) > 0
+
+    def drawn_by_program(self, scene, method, *words):
+        file = self.folder / "ours.png"
+        inkbench("draw", scene, "--method", method, "--response", "-o", file, *words, "--size", "x".join(map(str, SIZE)))
+        return numpy.asarray(Image.open(file).convert("L"))
 
     # ---- What it draws -----------------------------------------------------------------------
 
@@ -91,15 +103,33 @@ class LiveTest(BrowserTest):
         cases = [(self.page, "blocks", ["--views", "2"], "view1"), (self.parallel, "torus", ["--views", "iso,front"], "iso")]
         for page, scene, more, view in cases:
             self.open_live(page)
-            for method in self.script("return inkbench.methods"):
-                file = self.folder / "ours.png"
-                inkbench("draw", scene, "--method", method, "--response", "-o", file, "--view", view, *more,
-                         "--size", "x".join(map(str, SIZE)))
-                ours = numpy.asarray(Image.open(file).convert("L")) >= THRESHOLDS.get(method, 128)
+            for method in set(self.script("return inkbench.methods")) - INK:
+                ours = self.drawn_by_program(scene, method, "--view", view, *more) >= THRESHOLDS.get(method, 128)
                 theirs = self.drawn(method, view)
                 self.assertGreater(ours.sum(), 200, method)
                 equal = 1 - (ours != theirs).sum() / (2 * ours.sum())
                 self.assertGreater(equal, LEAST_EQUAL, f"{method} of {scene}")
+
+    def test_ink_is_that_of_the_program(self):
+        def soft_f(ink, scene, width_px, words):
+            file = self.folder / "ink.png"
+            Image.fromarray(ink).save(file)
+            return json.loads(inkbench("score", file, "--model", scene, *words, "--coverage", "--line-width", width_px,
+                                       "--json"))["soft_f"]
+
+        for page, scene, more, view, widths in (
+                (self.page, "blocks", ["--views", "2"], "view1", [1]),
+                (self.parallel, "torus", ["--views", "iso,front"], "iso", [1, 2, 4])):
+            self.open_live(page)
+            for width_px in widths:
+                words = ["--view", view, *more]
+                ours = self.drawn_by_program(scene, "chords", *words, "--set", f"width_px={width_px}")
+                theirs = self.ink_of("chords", view, width_px)
+                has_ink = (ours > 0) | (theirs > 0)
+                apart = numpy.abs(ours.astype(int) - theirs)[has_ink].mean()
+                self.assertLess(apart, MOST_APART, f"{scene}, {width_px} px")
+                scores = [soft_f(ink, scene, width_px, words) for ink in (ours, theirs)]
+                self.assertAlmostEqual(*scores, delta=0.003, msg=f"{scene}, {width_px} px")
 
     def test_a_browser_without_clip_control_draws_the_same(self):
         self.open_live()
@@ -188,6 +218,17 @@ class LiveTest(BrowserTest):
         self.script("choose({lineWidthPx: 4})")
         self.wait_for_ink(lambda left, right: left + right > 2 * thin)
 
+    def test_ink_is_grey_and_lines_of_pixels_are_not(self):
+        self.open_live()
+        self.script("choose({hasFill: false, size: [320, 180]}); frame.style.width = '320px'")
+        self.settle()
+        self.wait_for_lines()
+        grey = numpy.ptp(self.picture(), axis=2) < 4
+        grey &= abs(self.picture()[:, :, 0] - 128) < 64
+        grey[:45] = False
+        self.assertGreater(grey[:, :140].sum(), 100)
+        self.assertEqual(grey[:, 180:].sum(), 0)
+
     def test_the_divider_moves_by_keys_and_pointer(self):
         self.open_live()
         divider = self.find(".divider")
@@ -243,7 +284,7 @@ class LiveTest(BrowserTest):
         self.open_live()
         self.script("[...document.querySelectorAll('#methods button')].find(b => b.textContent === 'Measure').click()")
         self.wait(lambda: "Drawn by" in self.find("#times").text)
-        self.assertRegex(self.find("#times").text, r"surface8 [\d.]+ ms, mote4 [\d.]+ ms")
+        self.assertRegex(self.find("#times").text, r"chords [\d.]+ ms, surface_lookup [\d.]+ ms")
         self.assertIn("many frames in a row", self.find("#times").text)  # SwiftShader is no GPU
 
     # ---- Readers --------------------------------------------------------------------------------

@@ -27,8 +27,8 @@ def find_inkbench():
     raise Absent(f"inkbench is not built in {built.parent}, and INKBENCH names no other")
 
 
-def draw(method, view, is_mask):
-    """The lines of a method at a view, and the milliseconds of a frame by the page's clock."""
+def draw(method, view, is_mask, width_px=1):
+    """The lines of a method at a view, and the milliseconds of a frame by the page's clock. Ink is so wide."""
     chromium = find_program("chromium", f"webgl_{method}")
     inkbench = find_inkbench()
     switches = browser.SOFTWARE_GL if os.environ.get("INKBENCH_WEBGL") == "swiftshader" else MESA_GL
@@ -38,7 +38,7 @@ def draw(method, view, is_mask):
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise Failed(f"inkbench page: {done.stderr.strip()[:180]}")
-        address = f"adapter/draw.html?method={'' if is_mask else method}"
+        address = f"adapter/draw.html?method={'' if is_mask else method}&width={width_px}"
         page = (address, {"adapter": HERE}, {"made/page.html": made})
         return browser.drawn_by_page("the page", chromium, page, view, switches)
 

@@ -100,7 +100,7 @@ function pictureControls() {
         choiceButtons('Projection', [[false, 'Perspective'], [true, 'Parallel']], camera.isParallel, chooseProjection),
         chooser('Size', [['', 'as shown'], ...sizes.map(size => [size.join('x'), size.join(' × ')])],
             state.size ? state.size.join('x') : '', size => choose({size: size ? size.split('x').map(Number) : null})),
-        rangeField('Line width', state.lineWidthPx, 1, 8, lineWidthPx => choose({lineWidthPx})),
+        rangeField('Line width', state.lineWidthPx, 1, 4, lineWidthPx => choose({lineWidthPx})),
         element('label', {class: 'field'}, element('span', {}, 'Colour'), element('input', {type: 'color', value: state.colour,
             'aria-label': 'Colour', oninput: event => choose({colour: event.target.value})})),
         toggleButton('Fill', state.hasFill, hasFill => choose({hasFill})),

@@ -22,15 +22,15 @@ function checkSize({width, height}) {
     if (!isSize(width) || !isSize(height)) throw new Error(`no size: ${width} x ${height} (1..${renderer.mostPx})`);
 }
 
-/// For programs: the lines of a method at one view as bytes by rows from the top, 255 in a line; how long they
-/// take, in milliseconds, and by which clock.
+/// For programs: the lines of a method at one view as bytes by rows from the top, 255 in a line, of ink its share;
+/// how long they take, in milliseconds, and by which clock.
 const API = {
     methods: METHOD_NAMES,
     views: DATA.views.map(({name}) => name),
-    draw({method, width, height, view}) {
+    draw({method, width, height, view, lineWidthPx = 1}) {
         checkMethod(method);
         checkSize({width, height});
-        return renderer.bytesOf(renderer.drawLines(method, cameraAsked(view), width, height, 'asked'), red => red);
+        return renderer.bytesOf(renderer.drawLines(method, cameraAsked(view), width, height, 'asked', lineWidthPx), red => red);
     },
     /// The same of what the model covers.
     cover({width, height, view}) {

@@ -4,6 +4,7 @@ const FORMATS = {
     R8UI: gl => [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE],
     R32UI: gl => [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT],
     RG32UI: gl => [gl.RG32UI, gl.RG_INTEGER, gl.UNSIGNED_INT],
+    RGBA16UI: gl => [gl.RGBA16UI, gl.RGBA_INTEGER, gl.UNSIGNED_SHORT],
     RGBA32UI: gl => [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
     R8: gl => [gl.R8, gl.RED, gl.UNSIGNED_BYTE],
     RGBA8: gl => [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE],
@@ -173,10 +174,10 @@ class Renderer {
         gl.disable(gl.DEPTH_TEST);
     }
 
-    /// Draws a triangle over what is bound, with textures by the names of their uniforms.
-    drawScreen(name, textures, values) {
+    /// Draws a triangle over what is bound by a section of a shader, with textures by the names of their uniforms.
+    drawScreen(name, section, textures, values) {
         const {gl} = this;
-        const program = this.program(name, 'screen', 'lines');
+        const program = this.program(name, 'screen', section);
         gl.useProgram(program.program);
         const units = this.bind(textures);
         setUniforms(gl, program, {...values, ...units});
@@ -186,20 +187,32 @@ class Renderer {
         this.bind(Object.fromEntries(Object.keys(textures).map(name => [name, null])));
     }
 
-    /// The lines of a method as a texture, 1 in its pixels. `use` tells apart what is needed at one time.
-    drawLines(name, camera, width, height, use = '') {
+    /// The lines of a method as a texture, 1 in its pixels; of ink as wide as asked the share of each. `use` tells apart
+    /// what is needed at one time.
+    drawLines(name, camera, width, height, use = '', widthPx = 1) {
         const {gl} = this;
-        const {targets, reads, hasCorners, passes} = METHODS[name];
-        const more = hasCorners ? 1 : 0;
+        const {targets, reads, hasCorners, passes, steps = []} = METHODS[name];
+        const margin = steps.length > 0 ? Math.ceil(widthPx / 2) : 0; // lines outside reach in
+        const [w, h] = [width + 2 * margin, height + 2 * margin];
         const matrices = matricesOf(camera, width, height, this.isReversed);
-        const values = {...matrices, cameraProjection: matrices.projectionMatrix, size: [width, height]};
-        const codes = this.target('codes', targets, width + more, height + more, true);
+        matrices.projectionMatrix[0] *= width / w;
+        matrices.projectionMatrix[5] *= height / h;
+        const values = {...matrices, cameraProjection: matrices.projectionMatrix, size: [w, h], widthPx};
+        const more = hasCorners ? 1 : 0;
+        const codes = this.target('codes', targets, w + more, h + more, true);
         this.drawMesh(name, reads, codes, values, passes);
+        let drawn = {codes: codes.textures[0], depths: codes.textures[1] || null, ...reads ? {} : this.tables};
+        for (const {section, draws, format, more: larger} of steps) {
+            const target = this.target(draws, [format], w + larger, h + larger, false);
+            gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+            gl.viewport(0, 0, target.width, target.height);
+            this.drawScreen(name, section, drawn, values);
+            drawn = {[draws]: target.textures[0]};
+        }
         const lines = this.target(`lines ${use}`, ['R8'], width, height, false);
         gl.bindFramebuffer(gl.FRAMEBUFFER, lines.frame);
         gl.viewport(0, 0, width, height);
-        const drawn = {codes: codes.textures[0], depths: codes.textures[1] || null};
-        this.drawScreen(name, {...drawn, ...reads ? {} : this.tables}, values);
+        this.drawScreen(name, 'lines', drawn, values);
         return lines;
     }
 
@@ -217,7 +230,7 @@ class Renderer {
         gl.viewport(part.x, part.y, part.width, part.height);
         gl.enable(gl.SCISSOR_TEST);
         gl.scissor(seen.x, seen.y, seen.width, seen.height);
-        this.drawScreen('screen', {fill: fill.textures[0], mask: lines.textures[0]},
+        this.drawScreen('screen', 'lines', {fill: fill.textures[0], mask: lines.textures[0]},
             {...looks, origin: [part.x, part.y], size: [part.width, part.height]});
         gl.disable(gl.SCISSOR_TEST);
     }

@@ -6,7 +6,7 @@ const ASKED_SIZE = [DATA.views[0].width_px, DATA.views[0].height_px];
 /// What the reader has chosen. `view` is the name of a view, '' once the camera was moved; `size` null is as
 /// large as the picture stands on the screen.
 const state = {
-    left: 'surface8', right: 'mote4', layout: 'two', cut: 0.5, view: DATA.views[0].name,
+    left: 'chords', right: 'surface_lookup', layout: 'two', cut: 0.5, view: DATA.views[0].name,
     size: null, lineWidthPx: 1, colour: '#000000',
     hasFill: true, hasLines: true, theme: 'auto', times: {},
 };
@@ -95,7 +95,10 @@ function drawPicture() {
     renderer.clear();
     const fill = renderer.drawFill(camera, w, h);
     for (const {method, part, seen} of parts)
-        if (seen.width > 0) renderer.show(fill, renderer.drawLines(method, camera, w, h), part, seen, looks);
+        if (seen.width > 0) {
+            const lines = renderer.drawLines(method, camera, w, h, '', state.lineWidthPx);
+            renderer.show(fill, lines, part, seen, METHODS[method].steps ? {...looks, lineWidthPx: 1} : looks);
+        }
     placeLabels(picture);
 }
 

@@ -1,0 +1,191 @@
+// chords in GLSL ES 3.00 (WebGL 2): ink of lines 1 to 4 px wide, from a sample at each corner of a pixel.
+//
+// All but the last pass draw more than the image, by ceil(widthPx / 2) px on each side; `size` and `projectionMatrix`
+// are of that larger frame. `vertex` and `fragment` draw the mesh as those of surface_lookup. Then three vertices are
+// drawn three times by `screen`: with `sides` into RGBA16UI of one column and row more than the frame, with `cells`
+// into RGBA32UI of the frame, and over the image with `lines`. Names are those of three.js.
+//// vertex of surface_lookup
+//// fragment of surface_lookup
+//// screen of surface8
+//// sides
+const bool notes_lines = true;  // and walks end where the surface does
+//-- walks of surface_lookup
+out highp uvec4 drawn;  // as line_word: two lines of the side to the next column, two of that to the next row
+
+const uint unknown = 0xff80u;  // a line in the middle, of no edge
+
+/// Adds those between two places; two are kept.
+void add(inout uvec2 kept, uvec4 lines, int after, int before) {
+    for (int i = 0; i < 4; ++i) {
+        int place = int(lines[i] & 255u);
+        if (lines[i] == 0u || place <= after || place >= before) continue;
+        kept = kept.x == 0u ? uvec2(lines[i], 0) : kept.y == 0u ? uvec2(kept.x, lines[i]) : kept;
+    }
+}
+
+/// Lines of a walk from its sample on, and as the other sample has them.
+uvec4 in_order(uvec4 lines) { return lines.wzyx; }
+uvec4 seen_back(uvec4 lines) { return (lines ^ 255u) * uvec4(notEqual(lines, uvec4(0))); }
+int place_of(float s) { return int(255.0 * clamp(s, 0.0, 1.0) + 0.5); }
+bool is_at_line(Walk walk) { return walk.end == border || walk.end == other_line || walk.end == fork; }
+
+/// Where surfaces meet of which neither ends before the other.
+uint meeting_of(Walk there, Walk back, float q_first, float q_second) {
+    if (there.end == cut || back.end == cut) return 0u;
+    if (there.end != beyond || back.end != beyond) return unknown;
+    float before = q_first - q_on(back, 1.0), after = q_on(there, 1.0) - q_second;
+    if (max(abs(before), abs(after)) <= 1e-6 * q_first) return 0u;
+    return unknown & 0xff00u | uint(place_of(before != after ? before / (before - after) : 0.5));
+}
+
+/// The first two lines between two samples.
+uvec2 lines_between(ivec2 p, ivec2 to) {
+    uint a = word_at(p), b = word_at(p + to);
+    uvec2 kept = uvec2(0);
+    bool is_sky = a == 0u || b == 0u;
+    if (a == b || (!is_sky && judged(p, to, a, b) == no_line)) return kept;
+    uint face_a = a & 0x7fffffu, face_b = b & 0x7fffffu;
+    Walk there = Walk(lost, vec2(0), 0u, vec2(0), uvec4(0), -1.0), back = there;
+    for (int i = 0; i < 3; ++i) {  // there, back, and there again where the other line hides this surface
+        bool is_back = i == 1;
+        if ((is_back ? b : a) == 0u) continue;
+        if (i == 2 && (!is_at_line(back) || (is_at_line(there) && there.left.x <= 1.0 - back.left.x))) break;
+        Walk walked = walk(is_back ? p + to : p, is_back ? -to : to, is_back ? face_b : face_a,
+                           is_sky ? nothing : is_back ? face_a : face_b, is_back ? 1.0 - there.left.x : 1.0 - back.left.x);
+        if (is_back) back = walked;
+        else if (i == 0) there = walked;
+        else there.q_asked = walked.q_asked;
+        if (walked.end == arrived) {
+            add(kept, is_back ? seen_back(back.lines) : in_order(there.lines), -1, 256);
+            return kept;
+        }
+    }
+    uvec4 first = in_order(there.lines), second = seen_back(back.lines);
+    bool has_first = is_at_line(there), has_second = is_at_line(back);
+    if (is_sky) {
+        int end = min(there.end, back.end);  // sky is lost
+        if (end == beyond || end == cut) return kept;
+        if (!has_first && !has_second) return uvec2(unknown, 0);
+        add(kept, a == 0u ? second : first, -1, 256);
+        return kept;
+    }
+    if ((there.end >= lost || back.end >= lost) && patch_of(face_a) == patch_of(face_b)) return kept;
+    bool goes_there = goes_on(there, q_at(p + to)), goes_back = goes_on(back, q_at(p));
+    if (goes_there || goes_back) {
+        bool is_seam = goes_there != goes_back && (goes_there ? has_second : has_first);
+        if (is_seam && object_of(face_a) != object_of(face_b)) kept.x = goes_there ? second.x : there.lines.x;
+        return kept;
+    }
+    if (is_crack(there, back)) {
+        if (object_of(face_a) != object_of(face_b)) kept.x = there.lines.x;
+        return kept;
+    }
+    bool is_gap = has_first && has_second && there.left.x <= 1.0 - back.left.x + 1e-4;
+    bool is_first = has_first && there.left.y >= back.q_asked * (1.0 - 1e-6);
+    bool is_second = has_second && back.left.y >= there.q_asked * (1.0 - 1e-6);
+    if (is_first && is_second) is_first = there.left.y >= back.left.y, is_second = !is_first;
+    if (is_gap) is_first = is_second = true;
+    uint meeting = is_first || is_second ? 0u : meeting_of(there, back, q_at(p), q_at(p + to));
+    if (!is_first && !is_second && meeting == 0u) return kept;
+    int at_meeting = int(meeting & 255u);
+    add(kept, first, -1, is_first ? 256 : is_second ? place_of(1.0 - back.left.x) : at_meeting + 1);
+    add(kept, uvec4(meeting, 0, 0, 0), -1, 256);
+    add(kept, second, is_second ? -1 : is_first ? place_of(there.left.x) : at_meeting - 1, 256);
+    return kept;
+}
+
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    drawn = uvec4(0);
+    for (int i = 0; i < 2; ++i) {  // a loop, or each walk stands here six times
+        ivec2 to = ivec2(1 - i, i);
+        if (any(greaterThan(p + to, ivec2(size)))) continue;
+        uvec2 kept = lines_between(p, to);
+        drawn = i == 0 ? uvec4(kept, 0, 0) : uvec4(drawn.xy, kept);
+    }
+}
+//// cells
+precision highp float;
+precision highp int;
+uniform highp usampler2D sides;
+out highp uvec4 drawn;  // four pieces: from << 16 | to, an end as x << 8 | y in 1/255 of the cell
+
+void join(uint a, uint b) { drawn = uvec4(a << 16 | b & 0xffffu, drawn.xyz); }
+
+/// An end: name << 16 | x << 8 | y.
+uint end_of(uint line, int side) {
+    uint place = line & 255u, far = side == 1 || side == 2 ? 255u : 0u;
+    return line == 0u ? 0u : line >> 8 << 16 | ((side & 1) == 0 ? place << 8 | far : far << 8 | place);
+}
+
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    drawn = uvec4(0);
+    uvec4 own = texelFetch(sides, p, 0);
+    uvec2 right = texelFetch(sides, p + ivec2(1, 0), 0).zw, above = texelFetch(sides, p + ivec2(0, 1), 0).xy;
+    if (all(equal(own, uvec4(0))) && all(equal(uvec4(right, above), uvec4(0)))) return;
+    uint ends[8] = uint[8](end_of(own.x, 0), end_of(own.y, 0), end_of(right.x, 1), end_of(right.y, 1),
+                           end_of(above.x, 2), end_of(above.y, 2), end_of(own.z, 3), end_of(own.w, 3));
+    for (int i = 1; i < 8; ++i)  // ends of one edge
+        for (int k = 0; k < i; ++k) {
+            if (ends[i] == 0u || ends[i] >> 16 != ends[k] >> 16 || ends[i] >> 16 == 255u) continue;
+            join(ends[k], ends[i]);
+            ends[i] = ends[k] = 0u;
+        }
+    float count = 0.0;
+    vec2 sum = vec2(0);
+    uint last = 0u;
+    for (int i = 0; i < 8; ++i) {
+        if (ends[i] == 0u) continue;
+        count += 1.0;
+        sum += vec2(ends[i] >> 8 & 255u, ends[i] & 255u);
+        last = ends[i];
+    }
+    uvec2 middle = uvec2(sum / max(count, 1.0) + 0.5);
+    uint star = count == 1.0 ? 0x8080u : count == 2.0 ? last : middle.x << 8 | middle.y;
+    for (int i = 0; i < 8; ++i)
+        if (ends[i] != 0u && ends[i] != star) join(ends[i], star);
+}
+//// lines
+precision highp float;
+precision highp int;
+uniform highp usampler2D pieces;
+uniform float widthPx;
+out vec4 line;
+
+/// The share of a unit square on the near side of a straight line that passes its middle, x beyond it; of the
+/// line's normal the larger and the smaller part.
+vec4 share_within(vec4 x, vec4 larger, vec4 smaller) {
+    vec4 left = max(0.5 * (larger + smaller) - abs(x), 0.0);
+    vec4 corner = left * left / max(2.0 * larger * smaller, 1e-9), trapezium = (left - 0.5 * smaller) / larger;
+    vec4 less = mix(trapezium, corner, lessThan(left, smaller));
+    less = mix(vec4(0), less, greaterThan(left, vec4(0)));
+    return mix(less, 1.0 - less, greaterThan(x, vec4(0)));
+}
+
+void main() {
+    int reach = int(ceil(0.5 * widthPx));
+    ivec2 p = ivec2(gl_FragCoord.xy) + reach;
+    // Of the middles of the pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
+    vec4 over = vec4(-1), way_x = vec4(0), way_y = vec4(0);
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+            uvec4 cell = texelFetch(pieces, p + ivec2(x, y), 0);
+            for (; cell.x != 0u; cell = uvec4(cell.yzw, 0)) {
+                vec4 ends = vec4(cell.x >> 24, cell.x >> 16 & 255u, cell.x >> 8 & 255u, cell.x & 255u) / 255.0;
+                vec2 from = ends.xy + vec2(x, y), along = ends.zw - ends.xy;
+                vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
+                vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
+                to_x -= t * along.x, to_y -= t * along.y;
+                vec4 found = 0.5 * widthPx - sqrt(to_x * to_x + to_y * to_y);
+                bvec4 is_further = greaterThan(found, over);
+                over = mix(over, found, is_further);
+                way_x = mix(way_x, abs(to_x), is_further), way_y = mix(way_y, abs(to_y), is_further);
+            }
+        }
+    vec4 away = sqrt(way_x * way_x + way_y * way_y);
+    vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
+    larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
+    vec4 shares = share_within(2.0 * over, larger, smaller) - share_within(2.0 * (over - widthPx), larger, smaller);
+    line = vec4(dot(shares, vec4(0.25)));
+}
