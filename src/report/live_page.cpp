@@ -95,13 +95,17 @@ Json view_json(const scene::View& view) {
             {"far", camera.far}};
 }
 
-/// F by view and method, of the run's rows of that scene.
+/// What the run's rows of that scene say by view and method: F and soft F, or why there is none.
 Json scores_json(const experiment::RunData& run, const harness::SceneViews& scene_views) {
     Json scores = Json::object();
     for (const harness::Row& row : run.tables.rows) {
-        if (row.scene != scene_views.scene.name || !row.f_2px) continue;
+        if (row.scene != scene_views.scene.name) continue;
         Json& of_view = scores[row.view];
-        if (!of_view.contains(row.method)) of_view[row.method] = *row.f_2px;
+        if (of_view.contains(row.method)) continue;
+        Json& score = of_view[row.method] = Json::object();
+        if (!row.is_ok()) score["why"] = row.status;
+        if (row.f_2px) score["f"] = *row.f_2px;
+        if (row.soft) score["soft_f"] = row.soft->f().value_or(0);
     }
     return scores;
 }

@@ -38,7 +38,8 @@ TEST(LivePage, HoldsTheMeshItsViewsAndTheShaders) {
     EXPECT_EQ(data["views"][0]["name"], "front");
     EXPECT_EQ(data["views"][0]["width_px"], 320);
     EXPECT_FALSE(data.contains("scores"));
-    for (const char* name : {"surface_lookup",
+    for (const char* name : {"chords",
+                             "surface_lookup",
                              "surface8",
                              "surface8_depth",
                              "label8",
@@ -76,7 +77,25 @@ TEST(LivePage, ShowsWhatTheRunScoredAtTheViewsOfThatScene) {
     const nlohmann::json data = data_of(live_page(cube_views(), run));
     EXPECT_EQ(data["run"], "made up");
     EXPECT_EQ(data["scores"].size(), 1U);
-    EXPECT_EQ(data["scores"]["front"]["ids"], *run.tables.rows.front().f_2px);
+    EXPECT_EQ(data["scores"]["front"]["ids"]["f"], *run.tables.rows.front().f_2px);
+    EXPECT_FALSE(data["scores"]["front"]["ids"].contains("why"));
+}
+
+TEST(LivePage, ShowsSoftFOrWhyAViewHasNone) {
+    experiment::RunData run;
+    harness::Row row = made_up_row("chords", 0.8, 2);
+    row.scene = "</script><b>";
+    row.view = "front";
+    row.soft = score::SoftScore{.matched_px = 3, .missing_px = 1, .surplus_px = 1};
+    run.tables.rows.push_back(row);
+    row.method = "ids";
+    row.f_2px.reset();
+    row.soft.reset();
+    row.status = "crowded: too dense";
+    run.tables.rows.push_back(row);
+    const nlohmann::json scores = data_of(live_page(cube_views(), run))["scores"]["front"];
+    EXPECT_EQ(scores["chords"]["soft_f"], 0.75);
+    EXPECT_EQ(scores["ids"], nlohmann::json({{"why", "crowded: too dense"}}));
 }
 
 TEST(LivePage, OfNothingIsRefusedInALine) {

@@ -20,8 +20,15 @@ const divider = element('div', {class: 'divider', role: 'slider', tabindex: 0, '
 const labels = element('div', {class: 'labels', 'aria-hidden': 'true'});
 const frame = element('div', {class: 'live-frame'}, canvas, labels, divider);
 
+/// What the run says of a method here: {f, soft_f}, or {why} there is none.
 function scoreOf(method) {
-    return DATA.scores?.[state.view]?.[method];
+    return DATA.scores?.[state.view]?.[method] ?? {};
+}
+
+function scoreText(method) {
+    const {f, soft_f: softF} = scoreOf(method);
+    if (METHODS[method].steps && softF !== undefined) return ` soft F ${softF.toFixed(3)}`;
+    return f === undefined ? '' : ` F ${f.toFixed(3)}`;
 }
 
 /// "#rrggbb" as three numbers of 0..1.
@@ -57,10 +64,8 @@ function partsOfPicture() {
 }
 
 function labelOf(method) {
-    const score = scoreOf(method);
     const ms = state.times[method];
-    return element('span', {}, element('b', {}, method), score === undefined ? '' : ` F ${score.toFixed(3)}`,
-        ms === undefined ? '' : ` ${ms.toPrecision(3)} ms`);
+    return element('span', {}, element('b', {}, method), scoreText(method), ms === undefined ? '' : ` ${ms.toPrecision(3)} ms`);
 }
 
 function placeLabels({width, height, parts}) {
@@ -71,6 +76,8 @@ function placeLabels({width, height, parts}) {
         label.style.top = `${100 * (1 - top / height)}%`;
         return label;
     }));
+    const why = parts.map(({method}) => scoreOf(method).why).find(reason => reason);
+    document.getElementById('why').textContent = why ? `No F at this view. ${why[0].toUpperCase()}${why.slice(1)}.` : '';
     divider.hidden = state.layout !== 'two';
     divider.style.left = `${100 * state.cut}%`;
     divider.setAttribute('aria-valuenow', Math.round(100 * state.cut));
