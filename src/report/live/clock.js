@@ -1,11 +1,31 @@
-// How long a method takes on this GPU: by timer queries where the browser's are sound, else by many frames in
-// a row.
+// How long the passes of a method take on this GPU, by a ladder: so many of one pass in a row, twice as many, four
+// times as many. What each further one adds is its time; all that is drawn once falls out. A pass of ten
+// microseconds can be timed in no other way.
 
 /// Software that draws for a GPU: its timer queries time nothing.
 const SOFTWARE = /swiftshader|llvmpipe|lavapipe|software|basic render/i;
+const ROUNDS = 5;
+const MOST_PASSES = 4096;
+/// Times whose spread is a larger share are none.
+const MOST_SPREAD = 0.15;
 
 const middle = values => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const nextFrame = () => new Promise(resolve => setTimeout(resolve, 4));
+
+/// The line through [passes, ns]: how much it rises a pass, and the standard error of that.
+function lineThrough(points) {
+    const mean = of => points.reduce((sum, point) => sum + of(point), 0) / points.length;
+    const [x, y] = [mean(([passes]) => passes), mean(([, ns]) => ns)];
+    const width = mean(([passes]) => (passes - x) ** 2);
+    const slope = mean(([passes, ns]) => (passes - x) * (ns - y)) / width;
+    const square = mean(([passes, ns]) => (ns - y - slope * (passes - x)) ** 2);
+    return {slope, error: Math.sqrt(square / width / (points.length - 2))};
+}
+
+/// The time was read from a clock too coarse for it, or on a machine too busy.
+function isCoarse(ns, spread) {
+    return !(spread <= MOST_SPREAD * ns);
+}
 
 class Clock {
     constructor(renderer) {
@@ -16,45 +36,70 @@ class Clock {
             gl.getQuery(queries.TIME_ELAPSED_EXT, queries.QUERY_COUNTER_BITS_EXT) > 0;
         this.queries = isSound ? queries : null;
         this.words = isSound ? 'by the GPU\'s own timer' : 'by the clock, many frames in a row until a pixel is read back';
+        this.kind = isSound ? 'timer query' : 'frames read back';
+        this.leastRise_ns = isSound ? 8e6 : 60e6;
     }
 
-    /// Milliseconds a frame of the method's lines; null if the GPU's clock was disturbed.
+    /// Nanoseconds of the method's lines and of its mesh, with their spreads; null if the GPU's clock was disturbed.
     async time(name, camera, width, height) {
-        const draw = () => this.renderer.drawLines(name, camera, width, height);
-        this.renderer.finish(draw()); // the first frame compiles and allocates
-        return this.queries ? this.timeByQueries(draw) : this.timeByFrames(draw);
+        // What is drawn is kept in turns: a GPU may leave out what it draws over unseen.
+        const drawnBy = own => i => own.drawLines(name, camera, width, height, `timed ${i % 2}`);
+        const frame = drawnBy(this.renderer);
+        const lines = drawnBy(Object.create(this.renderer, {drawMesh: {value() {}}}));
+        const mesh = drawnBy(Object.create(this.renderer, {drawScreen: {value() {}}}));
+        this.renderer.finish(frame(0)); // the first frame compiles and allocates
+        const ofLines = await this.ladder(lines, frame);
+        const ofMesh = ofLines && await this.ladder(mesh, frame);
+        return ofMesh && {lines_ns: ofLines.ns, lines_spread_ns: ofLines.spread_ns, mesh_ns: ofMesh.ns, mesh_spread_ns: ofMesh.spread_ns};
     }
 
-    timeByFrames(draw) {
-        const timed = count => {
-            const start = performance.now();
-            let target = null;
-            for (let i = 0; i < count; ++i) target = draw();
-            this.renderer.finish(target);
-            return (performance.now() - start) / count;
-        };
-        const count = Math.max(1, Math.min(200, Math.round(80 / timed(1))));
-        return middle([0, 1, 2, 3, 4].map(() => timed(count)));
-    }
-
-    async timeByQueries(draw) {
-        const {gl} = this.renderer;
-        const pending = [];
-        for (let i = 0; i < 20; ++i) {
-            const query = gl.createQuery();
-            gl.beginQuery(this.queries.TIME_ELAPSED_EXT, query);
-            draw();
-            gl.endQuery(this.queries.TIME_ELAPSED_EXT);
-            pending.push(query);
+    /// The slope over the least time of each rung. Its spread is how far these lie off a line, or the slope of the
+    /// middle round off theirs.
+    async ladder(pass, frame) {
+        const read = passes => this.reading(() => {
+            for (let i = 0; i < passes; ++i) pass(i);
+            return frame(0);
+        });
+        const foot = await read(1);
+        let most = 4;
+        while (most < MOST_PASSES && await read(most) - foot < this.leastRise_ns) most *= 2;
+        const rounds = [];
+        for (let round = 0; round < ROUNDS; ++round) {
+            const rungs = [];
+            for (const passes of [most / 4, most / 2, most]) rungs.push([passes, await read(passes)]);
+            if (rungs.some(([, ns]) => Number.isNaN(ns))) return null;
+            rounds.push(rungs);
         }
+        const least = rounds[0].map(([passes], rung) => [passes, Math.min(...rounds.map(rungs => rungs[rung][1]))]);
+        const {slope, error} = lineThrough(least);
+        const ofMiddle = middle(rounds.map(rungs => lineThrough(rungs).slope));
+        return {ns: Math.max(0, slope), spread_ns: Math.max(error, Math.abs(ofMiddle - slope))};
+    }
+
+    /// Nanoseconds of what is drawn, one reading a frame; NaN if the GPU's clock was disturbed.
+    async reading(draw) {
+        await nextFrame();
+        if (this.queries) return this.byQuery(draw);
+        const start = performance.now();
+        this.renderer.finish(draw());
+        return 1e6 * (performance.now() - start);
+    }
+
+    async byQuery(draw) {
+        const {gl} = this.renderer;
+        const {TIME_ELAPSED_EXT, GPU_DISJOINT_EXT} = this.queries;
+        gl.getParameter(GPU_DISJOINT_EXT); // forgets what was before
+        const query = gl.createQuery();
+        gl.beginQuery(TIME_ELAPSED_EXT, query);
+        draw();
+        gl.endQuery(TIME_ELAPSED_EXT);
         gl.flush();
-        for (let waited = 0; !gl.getQueryParameter(pending.at(-1), gl.QUERY_RESULT_AVAILABLE); ++waited) {
-            if (waited > 2000) return null;
+        for (let waited = 0; !gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE); ++waited) {
+            if (waited > 2000) return NaN;
             await nextFrame();
         }
-        if (gl.getParameter(this.queries.GPU_DISJOINT_EXT)) return null;
-        const times = pending.map(query => gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6);
-        pending.forEach(query => gl.deleteQuery(query));
-        return middle(times);
+        const ns = gl.getParameter(GPU_DISJOINT_EXT) ? NaN : gl.getQueryParameter(query, gl.QUERY_RESULT);
+        gl.deleteQuery(query);
+        return ns;
     }
 }

@@ -26,40 +26,34 @@ function chooseProjection(isParallel) {
 function forgetTimes() {
     if (Object.keys(state.times).length === 0) return;
     state.times = {};
+    state.card = null;
     document.getElementById('times').textContent = '';
 }
 
-/// Times what is shown, one method after the other, and says by which clock.
+/// Times what is shown, and says by which clock.
 async function measure() {
     const said = document.getElementById('times');
-    const clock = new Clock(renderer);
     const methods = state.layout === 'two' ? [state.left, state.right] : METHOD_NAMES;
     const {width, height} = partsOfPicture().parts[0].part;
-    const times = {};
-    for (const method of methods) {
+    const card = await measuredCard({methods, camera, view: state.view, width, height, say: method => {
         said.textContent = `Measuring ${method} …`;
-        await nextFrame();
-        try {
-            const ms = await clock.time(method, camera, width, height);
-            if (ms !== null) times[method] = ms;
-        } catch (error) {
-            showTrouble(error.message);
-        }
-    }
-    state.times = times;
-    const found = methods.map(method => `${method} ${times[method] === undefined ? 'not measured' : `${times[method].toPrecision(3)} ms`}`);
-    said.textContent = `${found.join(', ')}: the mesh and the lines of one frame at ${width} × ${height}, ${clock.words}. Drawn by ${renderer.name}.`;
+    }});
+    state.times = Object.fromEntries(card.methods.map(times => [times.method, millisecondsOf(times)]));
+    state.card = card;
+    const {frames, lines, coarse} = cardWords(card, methods);
+    said.textContent = `${frames}: the mesh and the lines of one frame at ${width} × ${height}, ${new Clock(renderer).words}. ` +
+        `The lines alone: ${lines}.${coarse} Drawn by ${renderer.name}.`;
+    drawControls();
     redraw();
 }
 
-/// Copies the shader's file; where the browser forbids that, it is saved as one.
-async function copyShader(method, button) {
-    const {text} = SHADERS[method];
+/// Copies a file's text; where the browser forbids that, it is saved as one.
+async function copyFile(name, type, text, button) {
     try {
         await navigator.clipboard.writeText(text);
         button.textContent = 'Copied';
     } catch {
-        saveFile(`${method}.glsl`, 'text/plain', text);
+        saveFile(name, type, text);
         button.textContent = 'Saved';
     }
     setTimeout(drawControls, 1500);
@@ -67,7 +61,16 @@ async function copyShader(method, button) {
 
 function copyButton(method) {
     return element('button', {type: 'button', title: 'The shader as text: GLSL ES 3.00, all its passes',
-        onclick: event => copyShader(method, event.currentTarget)}, `Copy ${method}.glsl`);
+        onclick: event => copyFile(`${method}.glsl`, 'text/plain', SHADERS[method].text, event.currentTarget)}, `Copy ${method}.glsl`);
+}
+
+/// Of what was measured last.
+function cardButtons() {
+    const file = ['card.json', 'application/json', cardText(state.card)];
+    return [
+        element('button', {type: 'button', title: 'GPU and times as JSON', onclick: event => copyFile(...file, event.currentTarget)}, 'Copy card'),
+        element('button', {type: 'button', title: 'GPU and times as JSON', onclick: () => saveFile(...file)}, 'Save card'),
+    ];
 }
 
 function rangeField(label, value, least, most, onInput) {
@@ -88,6 +91,7 @@ function methodControls() {
             chooser('Right', methods, state.right, right => choose({right})),
             copyButton(state.left), copyButton(state.right)] : [],
         element('button', {type: 'button', class: 'main', onclick: () => measure()}, 'Measure'),
+        ...state.card ? cardButtons() : [],
     ];
 }
 

@@ -8,7 +8,7 @@ const ASKED_SIZE = [DATA.views[0].width_px, DATA.views[0].height_px];
 const state = {
     left: 'chords', right: 'surface_lookup', layout: 'two', cut: 0.5, view: DATA.views[0].name,
     size: null, lineWidthPx: 1, colour: '#000000',
-    hasFill: true, hasLines: true, theme: 'auto', times: {},
+    hasFill: true, hasLines: true, theme: 'auto', times: {}, card: null,
 };
 let camera = cameraOfView(DATA.views[0]);
 let renderer = null;
