@@ -1,5 +1,5 @@
 """The live page's times: what its ladder makes of a made-up timer, sound, coarse or disturbed; and the card of them,
-copied and saved."""
+copied, saved and read back by the program."""
 
 import json
 import sys
@@ -83,7 +83,7 @@ class LadderTest(BrowserTest):
         self.assertIsNone(self.time("surface8")["ms"])
         self.assertIn("surface8 not measured, mote4 not measured", self.measure())
 
-    def test_the_card_is_copied_and_saved(self):
+    def test_the_card_is_copied_saved_and_read_back(self):
         self.open_made_up()
         self.script("choose({left: 'surface8', right: 'mote4'})")
         self.assertIn("by the GPU's own timer", self.measure())
@@ -96,6 +96,11 @@ class LadderTest(BrowserTest):
         card = json.loads(text)
         self.assertEqual((card["gpu"], card["clock"], card["view"]), ("Made-up GPU 1", "timer query", "iso"))
         self.assertEqual([times["method"] for times in card["methods"]], ["surface8", "mote4"])
+        file = self.folder / "card.json"
+        file.write_text(text)
+        said = inkbench("page", "--card", file)
+        self.assertRegex(said, r"(?m)^GPU +Made-up GPU 1$")
+        self.assertRegex(said, r"(?m)^surface8 +0\.010 +0\.000 +0\.200 +0\.000$")
         self.script("choose({view: 'iso'})")
         self.assertEqual(self.script("return [...document.querySelectorAll('button')].filter(b => /card/.test(b.textContent)).length"), 0)
 

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
+#include "report/card.h"
 #include "report/live_page.h"
 
 namespace ink::cli {
@@ -23,9 +24,14 @@ struct PageArgs {
     ExperimentOptions options;
     std::string run;
     std::string file;
+    std::string card;
 };
 
 void run_page(PageArgs args) {
+    if (!args.card.empty()) {
+        fmt::print("{}", report::card_text(report::read_card(args.card)));
+        return;
+    }
     if (args.file.empty() && args.run.empty())
         throw core::Error("page", "there is no file to write", "-o FILE, or --run DIR");
     if (!args.file.empty()) check_output_path(args.file, {".html"});
@@ -63,6 +69,10 @@ void add_page_command(CLI::App& app) {
               args->run,
               "DIR",
               "Folder of a run: the page shows what its methods scored at these views");
+    rows.text("--card",
+              args->card,
+              "FILE",
+              "Print the times in a card that such a page gave; no page is made");
     command->footer(
         "The page is one file and opens without a network, in any browser with WebGL 2. It has "
         "the\n"
