@@ -116,7 +116,8 @@ Json mesh_json(const scene::Mesh& mesh,
     return {{"name", mesh.name}, {"primitives", primitives}};
 }
 
-/// Dull, of that colour. Nothing is wholly clear: a file that says so means the opposite.
+/// Dull, of that colour: metal is black where a scene has nothing round it. Nothing is wholly
+/// clear: a file that says so means the opposite.
 void set_color(const glm::vec4& color, Json& material) {
     const float opacity = color.a > 0 ? color.a : 1;
     material["pbrMetallicRoughness"] = {
@@ -205,7 +206,8 @@ void write_glb(const scene::Scene& scene,
         materials.push_back({{"name", fmt::format("material_{}", number)},
                              {"doubleSided", true},
                              {"extras", {{"material", number}}}});
-        if (number < base_colors.size()) set_color(base_colors[number], materials.back());
+        const bool has_color = number < base_colors.size();
+        set_color(has_color ? base_colors[number] : glm::vec4(1), materials.back());
     }
     Json meshes = Json::array();
     for (const scene::Mesh& mesh : scene.meshes)

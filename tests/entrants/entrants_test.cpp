@@ -229,6 +229,9 @@ TEST_F(Entrants, GlbHoldsTheMeshesAndNodes) {
     for (const scene::Mesh& mesh : scene.meshes)
         expected += 3 * mesh.triangles.size();
     EXPECT_EQ(corners, expected);
+    // A viewer without anything to mirror shows metal black.
+    for (const auto& material : gltf["materials"])
+        EXPECT_EQ(material["pbrMetallicRoughness"]["metallicFactor"], 0);
 }
 
 TEST_F(Entrants, GlbHoldsCamerasThatComeBack) {

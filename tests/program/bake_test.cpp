@@ -82,7 +82,8 @@ TEST(BakeProgram, OtherFormatsBecomeGltfWithNamesAndBaseColours) {
     desk.write("a.obj",
                "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no lid\nusemtl red\nf 1 3 2\n"
                "f 1 2 4\nusemtl glass\nf 2 3 4\no base\nf 1 4 3\n");
-    EXPECT_THAT(expect_done(desk, "bake a.obj -o b.gltf"), HasSubstr("names and base colours\n"));
+    EXPECT_THAT(expect_done(desk, "bake a.obj -o b.gltf"),
+                HasSubstr("geometry, normals, names and base colours\n"));
     const Json baked = Json::parse(desk.read("b.gltf"));
     EXPECT_EQ(baked["nodes"][0]["name"], "lid");
     EXPECT_EQ(baked["nodes"][1]["name"], "base");
@@ -90,6 +91,8 @@ TEST(BakeProgram, OtherFormatsBecomeGltfWithNamesAndBaseColours) {
     EXPECT_EQ(color(0)["baseColorFactor"], Json({1.0, 0.0, 0.0, 1.0}));
     EXPECT_EQ(color(1)["baseColorFactor"], Json({0.0, 0.5, 1.0, 0.5}));
     EXPECT_EQ(baked["materials"][1]["alphaMode"], "BLEND");
+    for (const Json& mesh : baked["meshes"])
+        EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
 TEST(BakeProgram, CodesAreTheDefaultUnlessEdgesAreAskedFor) {

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "bake/file_normals.h"
 #include "cli/commands/commands.h"
 #include "cli/options/command_rows.h"
 #include "cli/options/options.h"
@@ -51,14 +53,16 @@ std::string in_units(std::uintmax_t bytes) {
 }
 
 /// Bakes a model of another format by way of a glTF file that holds its geometry.
-bake::BakedFile bake_other(const import::ImportedModel& model,
+bake::BakedFile bake_other(import::ImportedModel model,
                            const bake::BakeOptions& options,
                            const fs::path& out) {
     const core::ScratchFolder scratch("bake");
     const fs::path file = scratch.path() / "model.glb";
+    bake::add_normals(model.scene, options.crease_deg);
     entrants::write_glb(model.scene, {}, file, model.base_colors);
     bake::BakedFile baked = bake::bake(file, import::import_model(file), options, out);
-    baked.lines.insert(baked.lines.begin(), "it became glTF: geometry, names and base colours");
+    baked.lines.insert(baked.lines.begin(),
+                       "it became glTF: geometry, normals, names and base colours");
     return baked;
 }
 
@@ -74,7 +78,7 @@ void run_bake(const BakeArgs& args) {
     model.scene = harness::make_scene_views(std::move(model.scene), request).scene;
     const bake::BakedFile baked = bake::is_gltf(model)
                                       ? bake::bake(args.model, model, options, args.out)
-                                      : bake_other(model, options, args.out);
+                                      : bake_other(std::move(model), options, args.out);
     const std::uintmax_t bytes_before = fs::file_size(args.model);
     core::write_whole_file(args.out, baked.bytes);
     for (const std::string& line : baked.lines)

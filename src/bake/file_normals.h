@@ -1,0 +1,12 @@
+#pragma once
+
+#include "scene/scene.h"
+
+namespace ink::bake {
+
+/// Gives normals to the meshes that have none: those of smooth patches, which creases part. A
+/// vertex that has several is copied; triangles and their corners keep their order. For a scene
+/// that is not to move.
+void add_normals(scene::Scene& scene, double crease_deg);
+
+}  // namespace ink::bake
