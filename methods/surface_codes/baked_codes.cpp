@@ -1,8 +1,24 @@
 #include "methods/surface_codes/baked_codes.h"
 
+#include <algorithm>
+
+#include "methods/surface_codes/code_repair.h"
+#include "methods/surface_codes/seen_squares.h"
 #include "methods/surface_codes/surface_code_params.h"
+#include "scene/animation.h"
 
 namespace ink::methods {
+namespace {
+
+// Found on characters and bent tubes, in views and moments that are none of these:
+// experiments/notes/baked.md.
+constexpr int kMoments = 8;     ///< of a motion: its end, and seven before it
+constexpr int kMostViews = 32;  ///< of a pose
+constexpr int kLeastViews = 6;  ///< the same where poses are many
+constexpr int kAllViews = 9 * kMostViews;
+constexpr int kRepairMoves = 16000;
+
+}  // namespace
 
 std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
                                        BakedMethod method,
@@ -13,6 +29,32 @@ std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
     SurfaceCodes codes(code_options(params, setup));
     codes.prepare(scene);
     return codes.object_codes(scene, object_length_px(setup));
+}
+
+std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
+                                          double crease_deg,
+                                          std::span<const scene::Scene> motions) {
+    SurfaceCodeParams params;
+    params.crease_deg = crease_deg;
+    const CodeSetup setup = surface_setup(params);
+    SurfaceCodes codes(code_options(params, setup));
+    codes.prepare(scene);
+    const std::size_t poses = 1 + kMoments * motions.size();
+    const int views = std::clamp(kAllViews / static_cast<int>(poses), kLeastViews, kMostViews);
+    const auto each_pose = [&](const auto& visit) {
+        visit(scene);
+        for (const scene::Scene& motion : motions)
+            for (int i = 0; i < kMoments; ++i) {
+                scene::Scene posed = motion;
+                const double share = std::min((i + 0.5) / (kMoments - 1), 1.0);
+                scene::pose_scene(posed, share * posed.animation->duration_s);
+                visit(posed);
+            }
+    };
+    const auto heights = codes.heights(codes.object_lengths(object_length_px(setup)));
+    const SeenSquares squares = seen_squares(codes, crease_deg, poses, views, each_pose);
+    return codes.codes_of(
+        repaired_heights(codes.mesh(), codes.range(), squares, heights, kRepairMoves));
 }
 
 std::shared_ptr<const SmoothMesh> baked_mesh(const scene::PreparedScene& scene, double crease_deg) {

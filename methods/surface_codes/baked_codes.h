@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "methods/surface_codes/smooth_mesh.h"
@@ -18,6 +19,13 @@ enum class BakedMethod { surface8, label8 };
 [[nodiscard]] std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
                                                      BakedMethod method,
                                                      double crease_deg);
+
+/// The same of surface8, repaired until few pixels of random views are wrong: views of `scene` and
+/// of eight moments of each of `motions`, which are that scene with an animation. The same on every
+/// machine; takes seconds.
+[[nodiscard]] std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
+                                                        double crease_deg,
+                                                        std::span<const scene::Scene> motions);
 
 /// The welded scene, cut into smooth patches, that these codes are made from.
 [[nodiscard]] std::shared_ptr<const SmoothMesh> baked_mesh(const scene::PreparedScene& scene,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <string>
+#include <utility>
 
 #include "methods/surface_codes/patch_labels.h"
 #include "methods/surface_codes/surface_graph.h"
@@ -15,36 +16,6 @@ namespace {
 
 /// Rows of pixels that the largest object is taken to fill where no view says how large it is.
 constexpr double kNominalHeight_px = 720;
-
-/// Up and down between 0 and the highest of `count` codes, over and over.
-class Fold {
-  public:
-    explicit Fold(int count) : most_(count - 1) {}
-
-    /// Steps after which it comes again.
-    [[nodiscard]] std::int32_t period() const { return 2 * most_; }
-    [[nodiscard]] std::int32_t wrapped(std::int64_t phase) const {
-        const std::int64_t rest = phase % period();
-        return static_cast<std::int32_t>(rest < 0 ? rest + period() : rest);
-    }
-    [[nodiscard]] std::int32_t code(std::int32_t distance, std::int32_t phase) const {
-        const std::int64_t whole = std::int64_t{period()} * kStep;
-        std::int64_t at = (distance + std::int64_t{phase} * kStep) % whole;
-        if (at > whole / 2) at = whole - at;
-        return static_cast<std::int32_t>(at / kStep);
-    }
-    /// Calls visit(phase) for those at which a distance has a code: on the way up and down.
-    template <class Visit>
-    void for_each_phase(std::int32_t distance, std::int32_t code, Visit visit) const {
-        if (code < 0 || code > most_) return;
-        visit(wrapped(code - distance / kStep));
-        if (code == 0 || code == most_) return;
-        visit(wrapped(-code - (distance + kStep - 1) / kStep));
-    }
-
-  private:
-    std::int32_t most_;
-};
 
 /// What is lost of a patch's borders at each phase.
 class Losses {
@@ -89,17 +60,16 @@ class Losses {
     std::vector<double> lost_;
 };
 
-/// Per face a code from its distance, in units of kStep: the distance and the phase of its patch, a
-/// whole number of steps, to and fro between the ends of the range.
+/// Per face its distance and the phase of its patch, a whole number of steps, in units of kStep.
 ///
-/// Codes of a patch so change by no more steps than its distances. Phases are found patch by patch,
-/// the largest area first, so that as little as possible of the borders with those before has codes
-/// that belong together; where a patch is free, patches that follow each other in the file get
-/// phases far apart.
-std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
-                                       std::span<const std::int32_t> distances,
-                                       const CodeRange& range) {
-    const Fold fold(range.highest - range.lowest + 1);
+/// Codes, to and fro between the ends of the range, so change within a patch by no more steps than
+/// its distances. Phases are found patch by patch, the largest area first, so that as little as
+/// possible of the borders with those before has codes that belong together; where a patch is free,
+/// patches that follow each other in the file get phases far apart.
+std::vector<std::int32_t> phased_heights(const SmoothMesh& mesh,
+                                         std::vector<std::int32_t> distances,
+                                         const CodeRange& range) {
+    const Fold fold(range.count());
     const PatchBorders borders(mesh);
     std::vector<std::int32_t> greatest(mesh.patch_count, 0);
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
@@ -115,20 +85,19 @@ std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
         for (const PatchBorders::Side& side : borders.of(patch)) {
             const std::uint32_t other = mesh.patch_of[side.beyond];
             const std::int32_t distance = distances[side.face];
+            const std::int32_t beyond = distances[side.beyond];
             if (other == patch) {
-                losses.add_fold(distance, distances[side.beyond], side.length);
+                losses.add_fold(distance, beyond, side.length);
             } else if (phases[other] >= 0) {
-                losses.add(distance, fold.code(distances[side.beyond], phases[other]), side.length);
+                losses.add(
+                    distance, fold.code(beyond + std::int64_t{phases[other]} * kStep), side.length);
             }
         }
         phases[patch] = losses.best_from(start, stride);
     }
-    std::vector<std::uint8_t> codes(mesh.face_count());
-    for (std::size_t f = 0; f < codes.size(); ++f) {
-        codes[f] = static_cast<std::uint8_t>(range.lowest +
-                                             fold.code(distances[f], phases[mesh.patch_of[f]]));
-    }
-    return codes;
+    for (std::size_t f = 0; f < distances.size(); ++f)
+        distances[f] += phases[mesh.patch_of[f]] * kStep;
+    return distances;
 }
 
 }  // namespace
@@ -138,7 +107,7 @@ void SurfaceCodes::prepare(const scene::PreparedScene& scene) {
     face_of_ = *faces_of_triangles(scene, *mesh_, options_.patches.weld_epsilon);
 }
 
-std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_world) {
+std::vector<std::int32_t> SurfaceCodes::heights(std::span<const float> length_world) {
     const SmoothMesh& mesh = *mesh_;
     slits_ = {};
     std::vector<std::int32_t> distances(mesh.face_count(), 0);
@@ -153,20 +122,28 @@ std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_wor
         if (options_.rounds > 0) steepen_short_slits(mesh, graph);
         distances = surface_distance(mesh, graph, options_.rounds, &slits_);
     }
-    const std::vector<std::uint8_t> of_faces = phased_codes(mesh, distances, options_.range);
-    const auto lowest = static_cast<std::uint32_t>(options_.range.lowest);
+    return phased_heights(mesh, std::move(distances), options_.range);
+}
+
+std::vector<std::uint32_t> SurfaceCodes::codes_of(std::span<const std::int32_t> heights) const {
+    const Fold fold(options_.range.count());
     std::vector<std::uint32_t> codes(face_of_.size());
     std::transform(face_of_.begin(), face_of_.end(), codes.begin(), [&](std::uint32_t face) {
-        return face == SmoothMesh::kNone ? lowest : of_faces[face];
+        const int code = face == SmoothMesh::kNone ? 0 : fold.code(heights[face]);
+        return static_cast<std::uint32_t>(options_.range.lowest + code);
     });
     return codes;
 }
 
+std::vector<float> SurfaceCodes::object_lengths(double length_px) const {
+    const auto length_world = static_cast<float>(largest_object() / kNominalHeight_px * length_px);
+    if (length_world > 0) return std::vector<float>(face_of_.size(), length_world);
+    return {};
+}
+
 std::vector<std::uint32_t> SurfaceCodes::object_codes(const scene::PreparedScene& scene,
                                                       double length_px) {
-    const auto length_world = static_cast<float>(largest_object() / kNominalHeight_px * length_px);
-    std::vector<float> lengths;
-    if (length_world > 0) lengths.assign(scene::triangle_count(scene), length_world);
+    const std::vector<float> lengths = object_lengths(length_px);
     const std::string name = fmt::format("surface codes {} {} {} {} {} {} {} {}",
                                          options_.patches.crease_rad,
                                          options_.patches.weld_epsilon,
@@ -175,7 +152,7 @@ std::vector<std::uint32_t> SurfaceCodes::object_codes(const scene::PreparedScene
                                          options_.range.lowest,
                                          options_.range.highest,
                                          options_.range.least_difference,
-                                         length_world);
+                                         lengths.empty() ? 0 : lengths.front());
     return *scene.get(name, [&] { return codes(lengths); });
 }
 

@@ -33,6 +33,7 @@ Mark wanted_mark(const BakeOptions& options,
         mark.codes = {{"method", name(*options.codes)}, {"crease_deg", options.crease_deg}};
         if (options.texcoord > 0)
             mark.codes["channel"] = fmt::format("texcoord{}", options.texcoord);
+        if (!options.motions.empty()) mark.codes["animation"] = options.animation;
     } else if (before) {
         mark.codes = before->codes;
     }
@@ -116,7 +117,13 @@ class Baking {
                     .lines = {"all of it is there already: nothing is changed"},
                     .is_unchanged = true};
         }
-        if (work.codes) bake_codes(all, crease_deg_of(after.codes), before.has_value());
+        if (work.codes) {
+            if (after.codes.contains("animation") && options.motions.empty())
+                throw core::Error("extras",
+                                  "its codes are of an animation, and have to be made anew",
+                                  "--codes surface8 --animation NAME");
+            bake_codes(all, options.motions, crease_deg_of(after.codes), before.has_value());
+        }
         if (work.codes && !work.edges) check_foreign_edges(primitives_.list);
         const bool has_own_edges = before && !before->edges.is_null();
         if (work.edges) bake_edges(crease_deg_of(after.edges), has_own_edges);
@@ -137,10 +144,15 @@ class Baking {
         return import::lower_case(path.extension().string()) == ".glb";
     }
 
-    void bake_codes(const BakeOptions& options, double crease_deg, bool is_again) {
+    void bake_codes(const BakeOptions& options,
+                    const std::vector<scene::Scene>& motions,
+                    double crease_deg,
+                    bool is_again) {
         if (const std::size_t views = edit_.unpack_views())
             say("{} of meshopt {} unpacked", views, views == 1 ? "is" : "are");
-        const auto codes = methods::baked_codes(prepared_, *options.codes, crease_deg);
+        const auto codes = motions.empty()
+                               ? methods::baked_codes(prepared_, *options.codes, crease_deg)
+                               : methods::repaired_codes(prepared_, crease_deg, motions);
         const CodeCounts counts = add_codes(
             edit_, primitives_.list, codes, {.texcoord = options.texcoord, .is_again = is_again});
         std::size_t triangles = 0;
@@ -153,6 +165,8 @@ class Baking {
             counted(triangles, "triangle", "triangles"),
             counted(counts.added, "vertex is added", "vertices are added"),
             counts.vertices);
+        if (!motions.empty())
+            say("they are repaired for {}", counted(motions.size(), "animation", "animations"));
         if (counts.unstripped > 0)
             say("{} became plain triangles",
                 counted(counts.unstripped, "strip or fan", "strips or fans"));

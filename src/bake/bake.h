@@ -19,6 +19,10 @@ struct BakeOptions {
     /// Which pose of a model that moves stands in its scene, "at rest" or "at 1.5 s": what the file
     /// is to say of it. Empty: it does not move.
     std::string pose{};
+    /// The same scene with an animation each, for whose poses codes of surface8 are repaired, too,
+    /// and what the file is to say of them: "walk", "all".
+    std::vector<scene::Scene> motions{};
+    std::string animation{};
 };
 
 /// "surface8", "label8".

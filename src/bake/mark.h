@@ -13,7 +13,7 @@ struct Mark {
     std::string version;  ///< of the program
     std::string mesh;     ///< mesh_hash
     std::string pose;     ///< BakeOptions::pose
-    Json codes;           ///< {"method", "crease_deg"[, "channel"]}; null: none
+    Json codes;           ///< {"method", "crease_deg"[, "channel"][, "animation"]}; null: none
     Json edges;           ///< {"crease_deg"}; null: none
 
     [[nodiscard]] bool operator==(const Mark&) const = default;

@@ -45,8 +45,8 @@ TEST(BakeProgram, WritesAFileAndSaysWhatWasDone) {
     EXPECT_EQ(desk.read("a.gltf"), desk.read("b.gltf"));
 }
 
-TEST(BakeProgram, SaysOfWhichPoseItIs) {
-    const Desk desk;
+/// The same, which flies off in two seconds.
+Json flying() {
     Json moving = Json::parse(tetrahedron());
     const std::string data = "data:application/octet-stream;base64,";
     moving.merge_patch(Json::parse(R"({"animations":[{"name":"fly",
@@ -62,7 +62,12 @@ TEST(BakeProgram, SaysOfWhichPoseItIs) {
     times.update({{"bufferView", 2}, {"type", "SCALAR"}, {"min", {0}}, {"max", {2}}});
     moving["accessors"].push_back(times);
     moving["accessors"].push_back(accessor);
-    desk.write("a.gltf", moving.dump());
+    return moving;
+}
+
+TEST(BakeProgram, SaysOfWhichPoseItIs) {
+    const Desk desk;
+    desk.write("a.gltf", flying().dump());
     const auto pose = [&](const std::string& options) {
         const std::string said = expect_done(desk, "bake a.gltf -o b.gltf" + options);
         const Json mark = Json::parse(desk.read("b.gltf"))["asset"]["extras"]["inkbench"];
@@ -74,6 +79,40 @@ TEST(BakeProgram, SaysOfWhichPoseItIs) {
     expect_refused(desk, "bake a.gltf -o b.gltf --time 3", {"--time", "at 3 s", "0..2"});
     desk.write("still.gltf", tetrahedron());
     expect_refused(desk, "bake still.gltf -o b.gltf --time 1", {"--time", "does not move"});
+}
+
+TEST(BakeProgram, CodesOfAnAnimationSaySo) {
+    const Desk desk;
+    desk.write("a.gltf", flying().dump());
+    const auto baked = [&](const std::string& from, const std::string& options) {
+        expect_done(desk, "bake " + from + " -o b.gltf" + options);
+        return desk.read("b.gltf");
+    };
+    const auto animation = [](const std::string& bytes) {
+        const Json codes = Json::parse(bytes)["asset"]["extras"]["inkbench"]["codes"];
+        return codes.value("animation", "");
+    };
+    const std::string fly = baked("a.gltf", " --animation fly");
+    EXPECT_EQ(animation(fly), "fly");
+    EXPECT_EQ(baked("a.gltf", " --animation fly"), fly);
+    EXPECT_EQ(animation(baked("a.gltf", " --animation all")), "all");
+    EXPECT_EQ(animation(baked("a.gltf", "")), "");
+    EXPECT_EQ(baked("a.gltf", " --time 1 --animation fly"), baked("a.gltf", " --time 1"));
+    EXPECT_EQ(baked("a.gltf", " --codes label8 --animation fly"),
+              baked("a.gltf", " --codes label8"));
+
+    // Edges are added, but codes of an animation are not made anew without it.
+    desk.write("fly.gltf", fly);
+    EXPECT_EQ(animation(baked("fly.gltf", " --edges")), "fly");
+    Json older = Json::parse(fly);
+    older["asset"]["extras"]["inkbench"]["version"] = "0";
+    desk.write("older.gltf", older.dump());
+    expect_refused(desk,
+                   "bake older.gltf -o b.gltf --edges",
+                   {"of an animation", "--codes surface8 --animation NAME"});
+    expect_refused(desk, "bake a.gltf -o b.gltf --animation run", {"run", "fly"});
+    desk.write("still.gltf", tetrahedron());
+    expect_refused(desk, "bake still.gltf -o b.gltf --animation all", {"--animation", "moves"});
 }
 
 TEST(BakeProgram, OtherFormatsBecomeGltfWithNamesAndBaseColours) {

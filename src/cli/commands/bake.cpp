@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bake/file_normals.h"
 #include "cli/commands/commands.h"
@@ -25,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kMethods{methods::BakedMethod::surface8, methods::BakedMethod::label8};
+
+constexpr const char* kAllAnimations = "all";
 
 struct BakeArgs {
     std::string model;
@@ -66,11 +70,35 @@ bake::BakedFile bake_other(import::ImportedModel model,
     return baked;
 }
 
+/// The scene with the animations for which codes are to be repaired. Those of one moment are not.
+std::vector<scene::Scene> motions_of(const BakeArgs& args, const import::ImportedModel& model) {
+    if (args.animation.empty() || args.time_s || !bake::is_gltf(model)) return {};
+    std::vector<scene::Scene> motions;
+    const auto add = [&](scene::Scene motion) {
+        if (motion.animation) motions.push_back(std::move(motion));
+    };
+    if (args.animation != kAllAnimations) {
+        add(model.scene);
+        return motions;
+    }
+    for (std::size_t i = 0; i < model.scene.file.animation_names.size(); ++i)
+        add(import::import_scene(args.model, {.animation = std::to_string(i)}));
+    return motions;
+}
+
 void run_bake(const BakeArgs& args) {
     bake::BakeOptions options = options_of(args);
     check_output_path(args.out, {".glb", ".gltf"});
     const core::InterruptGuard guard("nothing is written");
-    import::ImportedModel model = import::import_model(args.model, {.animation = args.animation});
+    const bool has_all = args.animation == kAllAnimations;
+    import::ImportedModel model =
+        import::import_model(args.model, {.animation = has_all ? "" : args.animation});
+    if (options.codes == methods::BakedMethod::surface8) options.motions = motions_of(args, model);
+    options.animation = args.animation;
+    if (has_all && options.motions.empty())
+        throw core::Error("--animation",
+                          "there are no poses to repair codes of surface8 for",
+                          "a glTF file that moves, without --time");
     if (model.scene.animation)
         options.pose = args.time_s ? fmt::format("at {:g} s", *args.time_s) : "at rest";
     harness::ViewRequest request;
@@ -110,8 +138,9 @@ void add_bake_command(CLI::App& app) {
     rows.number("--time", args->time_s, kAnyNumber, "SECONDS",
                 "Moment of a model that moves, of whose pose codes and edges are (default: its "
                 "rest pose)");
-    rows.text("--animation", args->animation, "NAME|N",
-              "Which animation moves it (default: the first; inkbench explain lists them)");
+    rows.text("--animation", args->animation, "NAME|N|all",
+              "Which animation moves it (default: the first; inkbench explain lists them); without "
+              "--time, codes of surface8 in a glTF file are repaired for all its poses");
     // clang-format on
     command->footer(
         "The first and the last vertex of each triangle have its code, so vertices may be added. "
