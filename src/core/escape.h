@@ -14,4 +14,7 @@ namespace ink::core {
 /// `text` as it may stand in a cell of a Markdown table, which a bar would end.
 [[nodiscard]] std::string markdown_cell(std::string_view text);
 
+/// A word as a shell reads it back.
+[[nodiscard]] std::string shell_word(std::string_view word);
+
 }  // namespace ink::core

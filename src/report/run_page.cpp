@@ -16,6 +16,7 @@
 #include "report/packed_run.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
+#include "report/text/take_home.h"
 #include "report/text/verdict.h"
 #include "summary/comparison.h"
 
@@ -42,16 +43,29 @@ std::vector<harness::Row> rows_shown(const experiment::RunData& run) {
     return kept.rows;
 }
 
+std::string home_json(const TakeHome& home) {
+    std::vector<std::string> commands;
+    for (const NextCommand& command : home.commands)
+        commands.push_back(json_texts({command.what, command.line}));
+    return fmt::format(R"({{"method":{},"address":{},"commands":[{}]}})",
+                       json_text(home.method),
+                       json_text(home.address),
+                       fmt::join(commands, ","));
+}
+
 /// What the page says of a comparison, word for word as verdict.md; null of another run.
-std::string words_json(const experiment::RunData& run) {
+std::string words_json(const experiment::RunData& run, const fs::path& page_folder) {
     if (run.comparison.summaries.empty()) return "null";
     const VerdictWords words = verdict_words(rows_shown(run), run.comparison);
-    return fmt::format(R"({{"first":{},"rest":{},"extent":{},"paper":{},"warnings":{}}})",
-                       json_text(words.answer.first),
-                       json_text(words.answer.rest),
-                       json_text(words.extent),
-                       json_text(words.paper),
-                       json_texts(words.warnings));
+    return fmt::format(
+        R"({{"first":{},"rest":{},"extent":{},"paper":{},"interval":{},"warnings":{},"home":{}}})",
+        json_text(words.answer.first),
+        json_text(words.answer.rest),
+        json_text(words.extent),
+        json_text(words.paper),
+        json_text(words.interval),
+        json_texts(words.warnings),
+        home_json(take_home(run, page_folder)));
 }
 
 /// How run `b` differs from run `a`, by method.
@@ -157,7 +171,7 @@ std::string run_json(const experiment::RunData& run,
     return fmt::format(R"({{"label":{},"record":{},"words":{},"live":{},"tables":{{{}}}}})",
                        json_text(label),
                        record_json(run),
-                       words_json(run),
+                       words_json(run, page_folder),
                        live_json(run, page_folder),
                        fmt::join(tables, ","));
 }

@@ -65,7 +65,7 @@ void add_recalls(SummaryTable& table) {
             {key, "0..1", "recall of this class, pooled over views"},
             [name](const Line& line) { return find_in(line.summary.recall_by_class, name); });
         table.add_derived(
-            {key + "_lo", "0..1", "lower end of its 95 % interval"},
+            {key + "_lo", "0..1", "lower end of its nominal 95 % interval"},
             [name](const Line& line) { return low_of(find_in(line.recall_ranges, name)); });
         table.add_derived({key + "_hi", "0..1", "upper end"}, [name](const Line& line) {
             return high_of(find_in(line.recall_ranges, name));
@@ -80,7 +80,7 @@ void add_f(const core::PartOf<const FSummary>& f,
            const std::string& error) {
     using S = FSummary;
     f.add_derived(std::move(whole), &S::all);
-    f.add_derived({name + "_lo", "0..1", "lower end of its 95 % interval, scenes resampled"},
+    f.add_derived({name + "_lo", "0..1", "lower end of its nominal 95 % interval, scenes resampled"},
                   [](const S& s) { return low_of(s.range); });
     f.add_derived({name + "_hi", "0..1", "upper end"}, [](const S& s) { return high_of(s.range); });
     f.add_derived({error + "_scene", "", "the scene with most of its error"}, &S::error_scene);

@@ -129,23 +129,41 @@ class PageTest(BrowserTest):
         said = (self.folder / "seven" / "verdict.md").read_text()
         self.open(self.folder / "seven" / "report.html")
         first, rest = self.find("h1").text, self.find(".lead").text
-        self.assertIn("[", rest)
+        self.assertRegex(rest, r"\], 80 % interval over 7 scenes\)")
+        self.assertRegex(first, "finds .* % of the outline, and .* % of what it draws is right, in ")
         self.assertIn(f"\n{first}. {rest} F is at", self.printed)
         self.assertIn(f"\n{first}. {rest} F is at", said.replace("*", "").replace("`", ""))
         for paragraph in self.find_all("header .more p"):
             text = paragraph.get_attribute("textContent")
             self.assertTrue(text in said or text.startswith("No method is both"), text)
-        self.check_winner(first)
+        self.check_winner(first, rest)
+        self.check_first_screen()
         self.open(self.folder / "seven" / "report.html", "#methods=mote4,ids")
         self.assertEqual(self.find(".lead").text, f"A filter is set: these are sums alone. The answer of all is {first}.")
         self.assertEqual(self.find_all(".paper-sentence"), [])
 
-    def check_winner(self, first):
+    def check_first_screen(self):
+        """What the answer is, where it lies in the chart, and commands that the program takes."""
+        method = self.script("return currentView().answer.method.method")
+        self.assertTrue(self.find(".what").text.startswith(f"{method}: "))
+        self.assertTrue(self.find(".what a").get_attribute("href").endswith(f"/methods/{method}/{method}.md"))
+        self.assertEqual(self.script("return document.querySelector('.point:has(.answer)').dataset.method"), method)
+        self.assertIn(f"{method}, the answer", self.find("#chart-error-time").text)
+        run = self.folder / "seven"
+        lines = [code.text for code in self.find_all(".take-home code")]
+        self.assertEqual([line.split(" ")[1] for line in lines], ["page", "bake", "advise", "figures"])
+        self.assertIn(f"inkbench page cube --run {run}", lines)
+        self.script("window.copied = []; copyText = (text, ...rest) => window.copied.push(text)")
+        for button in self.find_all(".take-home button"):
+            button.click()
+        self.assertEqual(self.script("return window.copied"), lines)
+
+    def check_winner(self, first, rest):
         lines = {line["answer"]: line for line in self.tables("summary.csv")}
         winner = lines.get("answer") or lines["both"]
-        self.assertEqual(winner["method"], first.split(":")[0])
+        self.assertEqual(winner["method"], first.split(" ")[0])
         self.assertEqual(self.script("return currentView().answer.method.method"), winner["method"])
-        self.check_latex(winner, first)
+        self.check_latex(winner, first + " " + rest)
 
     def check_latex(self, winner, sentence):
         """The table for papers has the answer's name in bold, and its digits."""
@@ -158,7 +176,8 @@ class PageTest(BrowserTest):
         name, f, interval, ms = (cell.strip() for cell in bold[0].split("&")[:4])
         self.assertEqual(name, rf"\textbf{{{winner['method']}}}".replace("_", r"\_"))
         f = f.removeprefix(r"\textbf{").removesuffix("}")
-        self.assertIn(f"F {f} in {ms} ms", sentence)
+        self.assertIn(f", in {ms} ms", sentence)
+        self.assertIn(f"Its F is {f}", sentence)
         self.assertEqual(interval, f"{float(winner['f_lo']):.3f}--{float(winner['f_hi']):.3f}")
         self.assertEqual(self.script(
             "return formatRange(currentView().summaries.find(s => s.method === arguments[0]).range)", winner["method"]),
@@ -212,7 +231,8 @@ class PageTest(BrowserTest):
         page = self.folder / "ink" / "report.html"
         self.open(page, part="verdict")
         first = self.find("h1").text
-        self.assertRegex(first, "soft F 0")
+        self.assertRegex(first, "finds .* % of the ink, and .* % of the ink it draws is right, in ")
+        self.assertIn("Its soft F is 0.", self.find(".lead").text)
         self.assertIn(f"{first}. ", (self.folder / "ink" / "verdict.md").read_text().replace("*", ""))
         self.assertEqual(self.script("return [...document.querySelector('select[aria-label=Measure]').options].map(o => o.value)[0]"),
                          "soft_f")
@@ -229,7 +249,7 @@ class PageTest(BrowserTest):
                 self.assertEqual(self.script("return currentView().differenceOf(...arguments).value", line["method"], line["other"]),
                                  float(line["difference"]))
         Select(self.find("select[aria-label=Measure]")).select_by_value("f_2px")
-        self.wait(lambda: "soft" not in self.find("h1").text)
+        self.wait(lambda: "ink" not in self.find("h1").text)
         self.assertEqual(self.address(), "#measure=f_2px")
         self.show("time")
         self.assertIn("F at 2 px", self.find("#chart-error-time").text)

@@ -165,7 +165,7 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
         EXPECT_NE(row.at("f_random_2px"), "");
     EXPECT_EQ(page_table(desk, "out", "sweep.csv")["lines"],
               parse_csv(desk.read("out/sweep.csv")).size());
-    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| method | F 2px | 95 % |"));
+    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| method | F 2px | 80 % |"));
     EXPECT_NE(desk.read("out/differences.csv"), "");
 
     words += "--no-sweep";

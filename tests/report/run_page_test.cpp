@@ -17,6 +17,7 @@
 #include "methods/registry.h"
 #include "report/live_page.h"
 #include "report/packed_run.h"
+#include "report/text/take_home.h"
 #include "tests/core/temp_folder.h"
 #include "tests/report/made_up_rows.h"
 
@@ -87,11 +88,35 @@ TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
 TEST_F(RunPage, SaysWhatTheVerdictSaysAndHowRunsDiffer) {
     run_.comparison = summary::compare_methods(run_.tables.rows);
     const std::string page = run_page({run_, run_}).html;
-    EXPECT_THAT(page,
-                HasSubstr(R"("words":{"first":"mote4: F 0.800 in 2.00 ms, the only method",)"));
+    EXPECT_THAT(
+        page,
+        HasSubstr(
+            R"("words":{"first":"mote4 finds 80.0 % of the outline, and 80.0 % of what it )"
+            R"(draws is right, in 2.00 ms","rest":"Its F is 0.800; it is the only method.")"));
     EXPECT_THAT(page, HasSubstr(R"("summary.csv":{"lines":1,)")) << "which its folder lacks";
     EXPECT_THAT(
         page, HasSubstr(R"("diffs":[[{},{"mote4":{"low":null,"high":null,"time_ratio":null}}],)"));
+}
+
+TEST_F(RunPage, SaysWhatTheAnswerIsAndWhatToDoWithIt) {
+    run_.comparison = summary::compare_methods(run_.tables.rows);
+    run_.record.asked = "[grid]\nscenes = ['cube', 'my models/spot.obj']\n";
+    run_.csv = experiment::split_tables(
+        {{"methods.csv", "method,preset_of,summary\nmote4,,sums\n"}}, run_.folder);
+    const TakeHome home = take_home(run_, fs::path(INK_SOURCE_DIR) / "experiments/pages");
+    EXPECT_EQ(home.method, "sums");
+    EXPECT_EQ(home.address, "../../methods/mote4/mote4.md");
+    const std::string run = run_.folder.string();
+    std::vector<std::string> lines;
+    for (const NextCommand& command : home.commands)
+        lines.push_back(command.line);
+    EXPECT_THAT(lines,
+                testing::ElementsAre("inkbench page 'my models/spot.obj' --run " + run,
+                                     "inkbench bake 'my models/spot.obj' -o spot.ink.glb --edges",
+                                     "inkbench advise 'my models/spot.obj'",
+                                     "inkbench figures " + run));
+    run_.comparison = {};
+    EXPECT_TRUE(take_home(run_, run_.folder).commands.empty());
 }
 
 TEST_F(RunPage, AFileThatCannotBeWrittenIsAnError) {

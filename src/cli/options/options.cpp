@@ -9,25 +9,11 @@
 
 #include "cli/options/command_rows.h"
 #include "core/error.h"
+#include "core/escape.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
 
 namespace ink::cli {
-namespace {
-
-/// As a shell reads it back.
-std::string quoted(const std::string& word) {
-    constexpr const char* kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word)
-        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
-}  // namespace
-
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc) {
     return CommandRows(command)
         .text("-o,--out", out, "DIR", doc)
@@ -58,7 +44,7 @@ std::string recorded_command(const CLI::App& command, const std::vector<std::str
         const bool is_flag = option->get_expected_max() == 0;
         for (const std::string& value : option->results()) {
             if (!option->get_positional()) line += " " + option->get_name();
-            if (!is_flag) line += " " + quoted(value);
+            if (!is_flag) line += " " + core::shell_word(value);
         }
     }
     return line;

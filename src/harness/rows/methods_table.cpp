@@ -24,6 +24,7 @@ struct MethodLine {
     std::optional<bool> ink = {};
     std::string preset_of = {};
     std::string source = {};
+    std::string summary = {};
     std::string params = {};
 };
 
@@ -48,6 +49,7 @@ const core::TableOf<MethodLine>& table() {
                   &M::ink);
         table.add({"preset_of", "", "the method whose settings a preset changes"}, &M::preset_of);
         table.add({"source", "", "where the method comes from"}, &M::source);
+        table.add({"summary", "", "what it does, in a sentence"}, &M::summary);
         table.add({"params", "", "every parameter, key=value;key=value"}, &M::params);
         return table;
     }();
@@ -85,6 +87,7 @@ MethodLine line_of(const method::MethodConfig& config) {
             .ink = config.is_grey,
             .preset_of = info.preset_of,
             .source = info.source,
+            .summary = info.summary,
             .params = join_params(info.complete(config.settings))};
 }
 

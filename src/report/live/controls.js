@@ -47,29 +47,17 @@ async function measure() {
     redraw();
 }
 
-/// Copies a file's text; where the browser forbids that, it is saved as one.
-async function copyFile(name, type, text, button) {
-    try {
-        await navigator.clipboard.writeText(text);
-        button.textContent = 'Copied';
-    } catch {
-        saveFile(name, type, text);
-        button.textContent = 'Saved';
-    }
-    setTimeout(drawControls, 1500);
-}
-
 function copyButton(method) {
     return element('button', {type: 'button', title: 'The shader as text: GLSL ES 3.00, all its passes',
-        onclick: event => copyFile(`${method}.glsl`, 'text/plain', SHADERS[method].text, event.currentTarget)}, `Copy ${method}.glsl`);
+        onclick: event => copyText(SHADERS[method].text, `${method}.glsl`, event.currentTarget)}, `Copy ${method}.glsl`);
 }
 
 /// Of what was measured last.
 function cardButtons() {
-    const file = ['card.json', 'application/json', cardText(state.card)];
+    const text = cardText(state.card);
     return [
-        element('button', {type: 'button', title: 'GPU and times as JSON', onclick: event => copyFile(...file, event.currentTarget)}, 'Copy card'),
-        element('button', {type: 'button', title: 'GPU and times as JSON', onclick: () => saveFile(...file)}, 'Save card'),
+        element('button', {type: 'button', title: 'GPU and times as JSON', onclick: event => copyText(text, 'card.json', event.currentTarget)}, 'Copy card'),
+        element('button', {type: 'button', title: 'GPU and times as JSON', onclick: () => saveFile('card.json', 'application/json', text)}, 'Save card'),
     ];
 }
 

@@ -23,6 +23,19 @@ function saveFile(name, type, text) {
     setTimeout(() => URL.revokeObjectURL(address), 1000);
 }
 
+/// Copies a text, and says so on the button; where the browser forbids that, the text is saved as a file.
+async function copyText(text, name, button) {
+    const words = button.textContent;
+    try {
+        await navigator.clipboard.writeText(text);
+        button.textContent = 'Copied';
+    } catch {
+        saveFile(name, 'text/plain', text);
+        button.textContent = 'Saved';
+    }
+    setTimeout(() => { button.textContent = words; }, 1500);
+}
+
 /// Lines of fields as CSV (RFC 4180); null is an empty field.
 function csvText(lines) {
     const field = value => {

@@ -75,7 +75,8 @@ class Run {
         this.index = index;
         this.label = packed.label;
         this.record = packed.record;
-        this.words = packed.words;  // of verdict.md: {first, rest, extent, paper, warnings}; null of no comparison
+        // The program's: {first, rest, extent, paper, warnings} of verdict.md, {interval, home}; null of no comparison.
+        this.words = packed.words;
         this.live = new Map(Object.entries(packed.live));  // address of a scene's page for the reader's GPU
         this.tables = {};
         for (const [name, table] of Object.entries(packed.tables))
@@ -94,6 +95,11 @@ class Run {
 
     has(name) {
         return this.table(name).lineCount > 0;
+    }
+
+    /// What intervals over its scenes are called, by what they are worth.
+    get interval() {
+        return this.words?.interval ?? 'interval';
     }
 
     /// The rows of the comparison itself, at the first size and number of threads: no one time of a

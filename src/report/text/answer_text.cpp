@@ -39,11 +39,49 @@ std::string error_scene_text(const MethodSummary& s) {
     return fmt::format("{:.0f} % of its error in {}", 100 * *f.error_scene_share, f.error_scene);
 }
 
-/// " in 1.60 ms"; "" without a time.
+/// " in 1.60 ms", of `in` = " in"; "" without a time.
 std::string time_text(const char* in, const MethodSummary& s) {
     if (!s.draw_ms) return "";
     return fmt::format(
-        " {} {} ms{}", in, format_ms(s.draw_ms), s.has_own_clock ? " by its own clock" : "");
+        "{} {} ms{}", in, format_ms(s.draw_ms), s.has_own_clock ? " by its own clock" : "");
+}
+
+std::string times_as_long(const MethodSummary& a, const MethodSummary& b) {
+    if (!a.draw_ms || !b.draw_ms || a.has_own_clock || b.has_own_clock) return "";
+    return fmt::format(", {:.1f} times as long", *b.draw_ms / *a.draw_ms);
+}
+
+/// "99.6 %"; "100 %" of nothing less than all.
+std::string percent_text(std::int64_t part, std::int64_t whole) {
+    if (part == whole) return "100 %";
+    const double share = static_cast<double>(part) / static_cast<double>(whole);
+    return fmt::format("{:.1f} %", std::min(99.9, 100 * share));
+}
+
+/// What a method finds, and how much of what it draws is right.
+struct Finding {
+    std::string found;  ///< of the outline, or of its ink
+    std::string right;
+};
+
+Finding finding_of(const MethodSummary& s) {
+    score::CurveCount sum{};
+    for (const auto& [scene, counts] : s.judged().counts_of_scene)
+        sum += counts;
+    return {percent_text(sum.k, sum.n_truth), percent_text(sum.k, sum.n_pred)};
+}
+
+/// "quick finds 95.3 % of the outline, and 95.3 % of what it draws is right, in 1.60 ms".
+std::string finding_text(const MethodSummary& s, Markup markup) {
+    const bool is_ink = s.measure() == summary::Measure::soft_f;
+    const Finding finding = finding_of(s);
+    return fmt::format("{} finds {} of the {}, and {} of {} is right{}",
+                       strong(s.method, markup),
+                       finding.found,
+                       is_ink ? "ink" : "outline",
+                       finding.right,
+                       is_ink ? "the ink it draws" : "what it draws",
+                       time_text(", in", s));
 }
 
 /// The method that drawings of scenes name instead in more than a quarter, or null, and how often.
@@ -98,41 +136,54 @@ std::string better_text(const PairedDifference& paired) {
     return fmt::format("; better on {} of {}", better, paired.scenes);
 }
 
-/// What the interval of the difference is, or why there is none.
+/// Why the difference has no interval; "" where it has one.
 std::string interval_sentence(const std::vector<harness::Row>& rows,
                               const PairedDifference& paired) {
-    const std::string scenes = scenes_text(rows, paired.scenes);
-    if (!paired.range) {
-        return fmt::format(" {} {} too few for an interval{}.",
-                           scenes,
-                           paired.scenes == 1 ? "is" : "are",
-                           better_text(paired));
-    }
-    return fmt::format(
-        " The 95 % interval is resampled over these {}; such intervals cover about {} %.",
-        scenes,
-        statistics::known_coverage_percent(paired.scenes));
+    if (paired.range) return "";
+    return fmt::format(" {} {} too few for an interval{}.",
+                       scenes_text(rows, paired.scenes),
+                       paired.scenes == 1 ? "is" : "are",
+                       better_text(paired));
 }
 
-/// What the answer is held against.
-std::string other_sentences(const std::vector<harness::Row>& rows,
-                            const summary::Comparison& comparison,
-                            const Answer& answer,
-                            Markup markup) {
+/// " (+0.006 [+0.002, +0.008], 85 % interval over 12 models)".
+std::string difference_text(const std::vector<harness::Row>& rows, const PairedDifference& paired) {
+    const std::string interval =
+        fmt::format(", {} over {}", interval_name(paired.scenes), scenes_text(rows, paired.scenes));
+    return fmt::format(
+        " ({}{})", format_paired_difference(paired, true), paired.range ? interval : "");
+}
+
+/// Why it is the answer, and what it is held against.
+std::string reason_sentences(const std::vector<harness::Row>& rows,
+                             const summary::Comparison& comparison,
+                             const Answer& answer,
+                             Markup markup) {
+    const MethodSummary& method = *answer.method;
+    const std::string in_time = comparison.rule.budget_ms > 0 ? " in that time" : "";
+    const std::string own =
+        fmt::format("Its {} is {}", measure_text(method.measure()), f_text(method));
+    if (answer.other() == nullptr) return fmt::format("{}; it is the only method{}.", own, in_time);
     const MethodSummary& other = *answer.other();
     const auto paired = difference_of(comparison, answer);
     const bool is_lead = paired && paired->is_significant();
-    const bool is_answer_best = answer.method == answer.most_exact;
+    const bool is_best = answer.method == answer.most_exact;
     const std::string scene = error_scene_text(other);
-    return fmt::format(" {}{} {} {}{}{}{}.{}",
-                       is_lead && is_answer_best ? "It leads: " : "",
-                       code(other.method, markup),
-                       is_lead && !is_answer_best ? "leads with" : "has",
-                       f_text(other),
-                       scene.empty() ? "" : fmt::format(" ({})", scene),
-                       time_text("at", other),
-                       paired ? fmt::format(" ({})", format_paired_difference(*paired, true)) : "",
-                       paired ? interval_sentence(rows, *paired) : "");
+    return fmt::format(
+        "{}{} {} {}{}{}{}{}.{}",
+        is_best ? fmt::format("{}, the highest{}.{} ", own, in_time, is_lead ? " It leads:" : "")
+                : fmt::format("{}; none is higher{} by more than {:g}. The most exact, ",
+                              own,
+                              in_time,
+                              comparison.rule.f_margin),
+        code(other.method, markup) + (is_best ? "" : ","),
+        is_lead && !is_best ? "leads with" : "has",
+        f_text(other),
+        scene.empty() ? "" : fmt::format(" ({})", scene),
+        time_text(" in", other),
+        is_best ? "" : times_as_long(method, other),
+        paired ? difference_text(rows, *paired) : "",
+        paired ? interval_sentence(rows, *paired) : "");
 }
 
 /// "36 scenes (104 views of 1280x720 px)".
@@ -143,11 +194,6 @@ std::string extent_text(const std::vector<harness::Row>& rows, const MethodSumma
                        s.views == 1 ? "" : "s",
                        rows.front().width,
                        rows.front().height);
-}
-
-std::string times_as_long(const MethodSummary& a, const MethodSummary& b) {
-    if (!a.draw_ms || !b.draw_ms || a.has_own_clock || b.has_own_clock) return "";
-    return fmt::format(", {:.1f} times as long", *b.draw_ms / *a.draw_ms);
 }
 
 }  // namespace
@@ -169,6 +215,10 @@ std::string measure_extent(const std::vector<harness::Row>& rows, summary::Measu
     return measure == summary::Measure::f_2px || row == rows.end()
                ? "at 2 px"
                : fmt::format("of lines {:g} px wide", row->soft->line_width_px);
+}
+
+std::string interval_name(int scenes) {
+    return fmt::format("{} % interval", statistics::known_coverage_percent(scenes));
 }
 
 std::string times_text(const Answer& answer, Markup markup) {
@@ -197,31 +247,15 @@ AnswerText answer_text(const std::vector<harness::Row>& rows,
         return {"No method was scored on any view, so there is no verdict", ""};
     const MethodSummary& method = *answer.method;
     const Rival rival = rival_of(comparison, answer);
-    const std::string measure = measure_text(method.measure());
-    std::string first = fmt::format("{}{}: {} {}{}",
-                                    budget,
-                                    strong(method.method, markup),
-                                    measure,
-                                    f_text(method),
-                                    time_text("in", method));
-    if (rival.method != nullptr) {
-        first += fmt::format(", or {}: {} {}{}",
-                             strong(rival.method->method, markup),
-                             measure,
-                             f_text(*rival.method),
-                             time_text("in", *rival.method));
-    }
-    const bool is_alone = answer.other() == nullptr;
-    if (is_alone) first += ", the only method";
-    if (!is_alone && &method == answer.most_exact)
-        first += rival.method == nullptr ? ", the most exact" : "; the first is the most exact";
-    if (!method.draw_ms && !is_alone) first += "; no time was taken";
-    std::string rest = rival_sentence(answer, rival, rule, markup);
+    std::string first = budget + finding_text(method, markup);
+    if (rival.method != nullptr) first += "; or " + finding_text(*rival.method, markup);
+    if (!method.draw_ms && answer.other() != nullptr) first += "; no time was taken";
+    std::string rest = reason_sentences(rows, comparison, answer, markup);
+    rest += rival_sentence(answer, rival, rule, markup);
     if (!answer.as_cheap.empty()) rest += " A" + times_text(answer, markup).substr(1) + ".";
     const std::string scene = error_scene_text(method);
-    if (!scene.empty()) rest += fmt::format(" It has {}.", scene);
-    if (!is_alone) rest += other_sentences(rows, comparison, answer, markup);
-    return {first, rest.empty() ? "" : rest.substr(1)};
+    if (!scene.empty()) rest += fmt::format(" {} has {}.", code(method.method, markup), scene);
+    return {first, rest};
 }
 
 std::string paper_sentence(const std::vector<harness::Row>& rows,
@@ -236,7 +270,7 @@ std::string paper_sentence(const std::vector<harness::Row>& rows,
                                    measure,
                                    f_text(method),
                                    measure_extent(rows, method.measure()),
-                                   time_text("in", method));
+                                   time_text(" in", method));
     const MethodSummary* other = answer.other();
     if (other == nullptr) return text + ".";
     text += fmt::format("; {}, {} has {} = {}{}",
@@ -244,14 +278,13 @@ std::string paper_sentence(const std::vector<harness::Row>& rows,
                         other->method + ",",
                         measure,
                         f_text(*other),
-                        time_text("in", *other));
+                        time_text(" in", *other));
     text += times_as_long(method, *other);
     const auto paired = difference_of(comparison, answer);
     if (!paired) return text + ".";
     const std::string difference = format_paired_difference(*paired, true);
-    return text + fmt::format(" (difference {}{}).",
-                              difference,
-                              paired->range ? ", 95 % interval over scenes" : "");
+    const std::string interval = ", " + interval_name(paired->scenes) + " over scenes";
+    return text + fmt::format(" (difference {}{}).", difference, paired->range ? interval : "");
 }
 
 }  // namespace ink::report

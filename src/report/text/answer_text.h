@@ -21,15 +21,20 @@ enum class Markup { none, markdown };
 [[nodiscard]] std::string measure_extent(const std::vector<harness::Row>& rows,
                                          summary::Measure measure);
 
+/// "85 % interval": what an interval over so many scenes is worth, whatever it was made for.
+[[nodiscard]] std::string interval_name(int scenes);
+
 /// Which methods may be the answer where times move: "another run may name `a`, `b`: ...";
 /// "" for none.
 [[nodiscard]] std::string times_text(const summary::Answer& answer, Markup markup);
 
 /// The answer in sentences.
 struct AnswerText {
-    std::string first;  ///< the method and what it takes; without its full stop, as a heading
-    /// The most exact (or the next) with what it takes more and the paired difference; what its
-    /// interval is worth, or that there are too few scenes for one. "" if there is none.
+    /// The finding: how much of the outline (of ink, where that is scored) the method finds, how
+    /// much of what it draws is right, and its time; without its full stop, as a heading.
+    std::string first;
+    /// Why: the rule, the most exact (or the next) with what it takes more and the paired
+    /// difference, or that there are too few scenes for an interval. "" without an answer.
     std::string rest;
 
     [[nodiscard]] std::string whole() const {

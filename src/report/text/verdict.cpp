@@ -10,6 +10,7 @@
 #include "core/text_table.h"
 #include "harness/clock/timing.h"
 #include "inspect/crosscheck_report.h"
+#include "statistics/bootstrap.h"
 
 namespace ink::report {
 namespace {
@@ -31,13 +32,28 @@ std::string name_of(const summary::MethodSummary& s) {
     return s.method + (s.has_own_clock ? " +" : "");
 }
 
+/// What the intervals of methods are worth.
+int coverage_percent(const summary::Comparison& comparison) {
+    int scenes = 0;
+    for (const summary::MethodSummary& s : comparison.summaries)
+        scenes = std::max(scenes, s.scenes);
+    return statistics::known_coverage_percent(scenes);
+}
+
 /// What methods are judged by stands first, with its interval and parts; F after soft F.
 core::Cells cells_of(const summary::Comparison& comparison) {
     const bool is_soft = comparison.measure() == summary::Measure::soft_f;
     const char* const judged = is_soft ? "soft F" : "F 2px";
     constexpr std::ptrdiff_t kAfterParts = 6;
-    core::Cells cells = {
-        {"method", judged, "95 %", "train", "held-out", "real", "draw ms", "B/px", "views"}};
+    core::Cells cells = {{"method",
+                          judged,
+                          fmt::format("{} %", coverage_percent(comparison)),
+                          "train",
+                          "held-out",
+                          "real",
+                          "draw ms",
+                          "B/px",
+                          "views"}};
     if (is_soft) cells.front().insert(cells.front().begin() + kAfterParts, "F 2px");
     for (const summary::MethodSummary& s : comparison.summaries) {
         const summary::FSummary& f = s.by(comparison.measure());
@@ -283,6 +299,7 @@ VerdictWords verdict_words(const std::vector<harness::Row>& rows,
     return {answer_text(rows, comparison, Markup::none),
             extent.empty() ? "" : extent.substr(1),
             paper_sentence(rows, comparison),
+            fmt::format("{} % interval", coverage_percent(comparison)),
             warnings(rows, comparison.summaries)};
 }
 

@@ -36,8 +36,9 @@ struct Missing {
 /// The same as a page says it, which has the table itself.
 struct VerdictWords {
     AnswerText answer;
-    std::string extent;  ///< over what it is, on which parts it holds, how many cells failed
-    std::string paper;   ///< the answer as a sentence for a paper; "" without one
+    std::string extent;    ///< over what it is, on which parts it holds, how many cells failed
+    std::string paper;     ///< the answer as a sentence for a paper; "" without one
+    std::string interval;  ///< what those of methods are called
     std::vector<std::string> warnings;
 };
 [[nodiscard]] VerdictWords verdict_words(const std::vector<harness::Row>& rows,

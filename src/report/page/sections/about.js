@@ -34,14 +34,14 @@ function aboutTerms() {
         ['training, held-out, real', 'the three parts of a suite. Methods were tuned, if at all, on training scenes ' +
             'only. Held-out scenes are made by code too, so they are like the training scenes in ways that nobody ' +
             'chose. Real models are files. A conclusion holds on the parts it names and on no other.'],
-        ['95 % interval', 'where a value would lie for other scenes like these: scenes are drawn anew 2000 ' +
+        ['interval', 'where a value would lie for other scenes like these: scenes are drawn anew 2000 ' +
             'times with replacement, each with all its views, because views of one scene are hard or easy ' +
-            'together (the bootstrap t). Such intervals of the catalogue’s scenes hold the truth in 80 of 100 cases with 6 ' +
+            'together (the bootstrap t). It is called by what it is worth: of the catalogue’s scenes it holds the truth in 80 of 100 cases with 6 ' +
             'scenes, in 85 with 16 and in 90 with 36; in fewer where most of the error sits in one scene. Fewer than six give none.'],
         ['answer', 'of the methods within the time budget, the cheapest whose F (soft F where ink was scored) is at most a margin (0.01 unless the run was ' +
             'asked for another) below the best of them. It is held against the most exact, or the next if it is that itself.'],
         ['paired difference', 'two methods compared on the same views, scenes drawn anew for both together. Of ' +
-            'twenty 95 % intervals, one misses by chance; so a method leads only by the interval that is to ' +
+            'many intervals some miss by chance; so a method leads only by the interval that is to ' +
             'hold together with those of all pairs (the maximum-t method of Westfall and Young, 1993).'],
         ['draw ms', 'the lower quartile of the processor time of a frame at the best speed of the machine, of ' +
             'several threads of its time on the wall; over several views their median. Bars along the time axis are quartiles over views.'],

@@ -219,7 +219,7 @@ function oneAxis(root, axes) {
         name: `axis-${axis.name}`, lines: axis.curves, lineClass: baselineClass,
         caption: isTime ? 'Least time of a frame.'
             : axis.measure === AXIS_MEASURES.soft ? 'Error 1 − soft F.'
-                : 'Error 1 − F at 2 px, with its 95 % interval where several scenes were drawn.',
+                : 'Error 1 − F at 2 px, with its interval where several scenes were drawn.',
         columns: [infoColumn(), ...values.map((value, i) => ({
             key: `at_${i}`, title: axisValue(axis, value), best: 'low',
             value: curve => pointAt(curve, value).y ?? null, text: curve => axis.measure.format(pointAt(curve, value).y),

@@ -16,7 +16,7 @@ function axisPointText(axis, curve, {line, value, y, low, high, noise}) {
         `repeats within ${formatPercent(noise, 0)}`];
     return [`${curve.name} at ${axisValue(axis, value)}`,
             `error ${formatShare(y)}` + (isNumber(high)
-                ? `, 95 % interval ${formatShare(low)} to ${formatShare(high)}` : ''),
+                ? `, interval ${formatShare(low)} to ${formatShare(high)}` : ''),
             `${count(line.cases, 'scene')}, ${line.truth_px} true px`];
 }
 

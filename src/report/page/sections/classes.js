@@ -5,7 +5,7 @@ state.define('classes.zero', false);
 addSection({
     id: 'classes',
     title: 'Line classes',
-    intro: 'Share of the true pixels of each class that a method found within 2 px, with its 95 % interval.',
+    intro: view => `Share of the true pixels of each class that a method found within 2 px, with its ${view.run.interval}.`,
     isThere: view => view.contestants.some(s => RECALL_GROUPS.some(name => s.classes[name] !== null)),
     uses: ['classes.*', 'sort.classes'],
     draw(root, view) {

@@ -5,7 +5,7 @@ state.define('against', '');
 addSection({
     id: 'differences',
     title: 'Paired differences',
-    intro: 'By how much a method is better (right) or worse (left) than the one it is held against, with its 95 % interval: ' +
+    intro: 'By how much a method is better (right) or worse (left) than the one it is held against, with its interval: ' +
         'scenes are drawn anew, both methods on the same ones. The thin line is the interval that is to hold together with those of ' +
         'all pairs. Solid: that one leaves out 0, so one leads.',
     isThere: view => view.contestants.length > 1,
@@ -58,7 +58,7 @@ function drawDifferences(chart, lines, title) {
         node.append('circle').attr('r', 5).style('stroke', colourOf(line.info)).style('stroke-width', 1.6)
             .style('fill', isLead(difference) ? colourOf(line.info) : 'var(--paper)');
         plot.append('text').attr('class', 'tick').attr('x', width + 8).attr('y', y + 4).text(formatSigned(difference.value, 4));
-        answerPointer(node, line.rows, [`${formatSigned(difference.value, 4)}, 95 % interval ${formatSignedRange(difference.range, 4)}, ` +
+        answerPointer(node, line.rows, [`${formatSigned(difference.value, 4)}, interval ${formatSignedRange(difference.range, 4)}, ` +
             (difference.rangeOfAll ? `with all others together ${formatSignedRange(difference.rangeOfAll, 4)}, ` : '') + count(difference.scenes, 'scene')]);
     });
 }

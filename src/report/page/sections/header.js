@@ -1,19 +1,43 @@
-// What the page says first: the verdict in a sentence, and whatever must be known before any number
-// is read.
+// What the page says first: the finding, why, what it is and what to do with it; and whatever must be
+// known before any number is read.
 
 function drawHeader(root, view) {
-    const {run, best} = view;
+    const {run, best, isWhole} = view;
+    const isAlone = runs.length === 1 && isWhole && best !== null && !run.has('hardest.csv');
     const [lead, ...more] = run.rows.length && !run.has('hardest.csv') ? leadWords(view) : [runWords(run)];
     root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
         ...[invalidWarning, missingWarning].map(make => make(view)),
-        element('h1', {}, headline(view)),
-        lead ? element('p', {class: 'lead'}, lead) : null,
-        unscoredWarning(),
-        busyWarning(),
-        best && !run.has('hardest.csv') ? extentNote(view, more) : null,
+        element('h1', {}, unbroken(headline(view))),
+        element('div', {class: 'first'},
+            element('div', {},
+                lead ? element('p', {class: 'lead'}, unbroken(lead)) : null,
+                isAlone ? answerWords(run.words.home, best) : null,
+                unscoredWarning(),
+                busyWarning(),
+                best && !run.has('hardest.csv') ? extentNote(view, more) : null),
+            isAlone ? takeHome(run.words.home) : null),
     ].filter(Boolean));
+}
+
+/// A number stays on the line of its unit.
+function unbroken(text) {
+    return text.replace(/ (%|ms|px)/g, '\u00a0$1');
+}
+
+/// What the answer is.
+function answerWords({method, address}, {method: name}) {
+    const words = [element('b', {}, name), `: ${method}. `, address ? element('a', {href: address}, `More on ${name}`) : null];
+    return method ? element('p', {class: 'what'}, words) : null;
+}
+
+/// What to do with it: commands to copy.
+function takeHome({commands}) {
+    return element('div', {class: 'take-home'}, element('h2', {}, 'Take it home'), commands.map(([what, line]) => element('p', {},
+        element('span', {}, what), element('code', {}, line),
+        element('button', {type: 'button', class: 'quiet', 'aria-label': `Copy ${line}`,
+            onclick: event => copyText(line, 'command.txt', event.currentTarget)}, 'Copy'))));
 }
 
 /// Over how much it is, with what few need below.

@@ -7,7 +7,7 @@ addSection({
     id: 'runs',
     isMain: true,
     title: 'Runs beside each other',
-    intro: 'Differences are of the second run less the first, over the views that both have, with 95 % intervals (scenes drawn anew, both runs on the same ones).',
+    intro: 'Differences are of the second run less the first, over the views that both have, with intervals (scenes drawn anew, both runs on the same ones).',
     isThere: () => runs.length > 1,
     uses: ['base', 'other', 'sort.runs', 'sort.run-scenes', 'sort.run-settings'],
     draw(root, view) {
@@ -79,7 +79,7 @@ function drawRunTable(root, lines, view) {
             {key: 'difference', title: 'difference', value: line => line.difference && line.difference.value,
              text: line => formatSigned(line.difference && line.difference.value, 4),
              css: line => (line.difference && isLead(line.difference) ? 'font-weight:700' : null)},
-            {key: 'range', title: '95 % interval', value: line => line.difference && line.difference.range && line.difference.range.low,
+            {key: 'range', title: 'interval', value: line => line.difference && line.difference.range && line.difference.range.low,
              text: line => formatSignedRange(line.difference && line.difference.range, 4)},
             {key: 'firstMs', title: 'ms, first', value: line => line.firstMs, text: line => formatMs(line.firstMs)},
             {key: 'secondMs', title: 'second', value: line => line.secondMs, text: line => formatMs(line.secondMs)},

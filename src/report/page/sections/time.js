@@ -25,7 +25,7 @@ addSection({
             id: 'error-time',
             title: `${isError ? measure.error : measure.title} against ${isBytes ? 'bytes a pixel' : 'time of a frame'}`,
             isNamed: false,
-            height: width => Math.max(380, Math.min(500, width * 0.52)),
+            height: width => Math.max(360, Math.min(430, width * 0.52)),
             controls: [
                 choiceButtons('Horizontal axis', [['ms', 'Time'], ['bytes', 'Bytes']], state.get('time.x'), x => state.set({'time.x': x})),
                 choiceButtons('Vertical axis', [['error', 'Error'], ['score', 'Score']], state.get('time.y'), y => state.set({'time.y': y})),
@@ -40,7 +40,7 @@ addSection({
         });
         noteSums(root, view);
         root.append(element('p', {class: 'note'}, ['Lower left is better. The grey stair is the lowest error to be had at each time. ' +
-            'Point at a method to see its worst image, the 95 % interval of its error and the quartiles of its time over views; those of ' +
+            `Point at a method to see its worst image, the ${view.run.interval} of its error and the quartiles of its time over views; those of ` +
             'the stair are always there. A click keeps the image and blinks the truth over it.',
         settings.length ? 'Small points: other settings of a method, over the views of the sweep.' : '',
         ownClockNote(view)].filter(Boolean).join(' ')));
@@ -103,6 +103,7 @@ function drawTimeChart(chart, view, lines, {isBytes, isError}) {
         point.append('title').text(`${line.method}: ${line.setting || 'its own setting'}\n${MEASURES[view.measure].title} ${formatShare(line.value)}, ${formatMs(line.ms)} ms`);
     }
     const methods = shown.filter(l => !l.isSetting);
+    const isAnswer = line => line.method === view.best?.method;
     const front = paretoFront(methods, xOf, line => 1 - line.value);
     const crosses = new Map(methods.map(line => [line, crossOf(line, {px, py, x, y, isBytes, isError, smallest, height})]));
     const layer = plot.append('g');
@@ -114,6 +115,7 @@ function drawTimeChart(chart, view, lines, {isBytes, isError}) {
             .attr('transform', `translate(${px(line)},${py(line)})`);
         node.append('circle').attr('r', 11).attr('class', 'catch');
         node.append('path').attr('d', markerOf(line.info)).call(markerStyle, line.info);
+        if (isAnswer(line)) node.append('circle').attr('r', 10).attr('class', 'answer');
         if (!view.isAffordable(line)) node.attr('opacity', 0.35);
         for (const [event, isOn] of [['pointerenter', true], ['focus', true], ['pointerleave', false], ['blur', false]])
             node.on(event, () => cross.classed('pointed', isOn));
@@ -122,8 +124,8 @@ function drawTimeChart(chart, view, lines, {isBytes, isError}) {
             (line.range ? ` (${formatRange(line.range)})` : '') +
             (line.ms ? `, ${formatMs(line.ms)} ms` : '') + (line.bytes ? `, ${line.bytes} B/px` : '')]);
     }
-    placeLabels(plot, methods.map(line => ({x: px(line), y: py(line), text: line.method, colour: colourOf(line.info),
-        isFirst: front.includes(line) || line.method === view.best?.method})), width, height, front.flatMap(line => crosses.get(line)));
+    placeLabels(plot, methods.map(line => ({x: px(line), y: py(line), colour: colourOf(line.info),
+        text: isAnswer(line) ? `${line.method}, the answer` : line.method, isFirst: front.includes(line) || isAnswer(line)})), width, height, front.flatMap(line => crosses.get(line)));
 }
 
 /// The bars of a method, of its error and of its time: [x1, y1, x2, y2] each.

@@ -18,7 +18,7 @@ addSection({
         const columns = [
             methodColumn(line => line.info, {rows: rowsOf}),
             shareColumn('value', title, line => line.value, {rows: rowsOf}),
-            {key: 'range', title: '95 % interval', value: line => (line.range ? line.range.low : null),
+            {key: 'range', title: view.run.interval, value: line => (line.range ? line.range.low : null),
              text: line => formatRange(line.range), help: 'Scenes are drawn anew with replacement, each with all its views; none with fewer than six'},
             shareColumn('train', 'training', line => line.train, {help: 'Over the training scenes'}),
             shareColumn('heldout', 'held-out', line => line.heldout, {help: 'Over scenes that no setting was tuned on'}),
