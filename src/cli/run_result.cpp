@@ -167,6 +167,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
         if (is_comparison(run)) print_comparison(run);
         fmt::print("{}", studies::hardest_text(run.tables.hardest));
         fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
+        if (!run.finding.first.empty()) fmt::print("{}.\n", run.finding.first);
         fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
     }
     std::fflush(stdout);

@@ -36,6 +36,7 @@ core::TableInfo run_record() {
           "",
           "state (unfinished, finished, invalid), blocks and cells done, what is "
           "missing, why it is invalid"},
+         {"finding", "", "what a search for better settings came to, in a line"},
          {"built", "", "version, commit, compiler, flags and libraries of the program"},
          {"machine", "", "cpu, and the instruction set that the kernels ran on"},
          {"tables", "", "the files of the run and their headings"},

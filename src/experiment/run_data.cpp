@@ -177,6 +177,8 @@ RunData read_run(const fs::path& folder) {
     run.csv = split_tables(texts, folder);
     run.tables = parse_tables(run.csv);
     run.comparison = comparison_of(run);
+    run.finding = studies::stress_finding(studies::summarise_axes(run.tables.on_axes));
+    if (!run.record.finding.empty()) run.finding = {run.record.finding, ""};
     return run;
 }
 

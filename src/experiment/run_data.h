@@ -10,6 +10,7 @@
 #include "harness/rows/row.h"
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
+#include "studies/axis_summary.h"
 #include "studies/hardest/hardest_view.h"
 #include "summary/comparison.h"
 
@@ -45,6 +46,7 @@ struct RunData {
     /// What the rows of the first size and number of threads say together, as summary.csv and
     /// differences.csv have it; empty of a run that compares nothing.
     summary::Comparison comparison;
+    studies::Finding finding = {};  ///< of a search, or of axes of difficulty
 };
 
 /// Leaves the rows and settings of the first size and number of threads: no one time of a method

@@ -156,6 +156,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.work_parts = progress["work_parts"].value_or(std::string());
     record.missing_blocks = core::texts_of(progress["missing"]);
     record.faults = core::texts_of(progress["faults"]);
+    record.finding = root["finding"].value_or(std::string());
     const toml::table* asked = root["asked"].as_table();
     if (record.identity.empty() || !state || asked == nullptr || names.size() != headings.size()) {
         throw core::Error(
@@ -190,6 +191,7 @@ void write_record(const RunRecord& record, const fs::path& folder) {
                      {"tables", toml::table{{"names", names}, {"headings", headings}}},
                      {"asked", core::parse_toml(record.asked, folder / kFile)}};
     if (!record.models.empty()) root.insert("models", tables_of(record.models));
+    if (!record.finding.empty()) root.insert("finding", record.finding);
     std::ostringstream text;
     text << "# What was asked of this run, and what answered. Written and read by inkbench.\n"
          << root << '\n';

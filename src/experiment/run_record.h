@@ -34,6 +34,8 @@ struct RunRecord : RunHead {
     std::string work_parts = {};
     std::vector<std::string> missing_blocks = {};  ///< keys of the blocks that are not done
     std::vector<std::string> faults = {};          ///< why the run is invalid
+    /// What came of it, in a line, where its tables do not say it; "" elsewhere.
+    std::string finding = {};
 };
 
 /// The record of a run of `plan` that has not begun.

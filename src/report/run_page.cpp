@@ -43,6 +43,13 @@ std::vector<harness::Row> rows_shown(const experiment::RunData& run) {
     return kept.rows;
 }
 
+/// What came of a run that compares nothing, as a heading and what stands below it; null of others.
+std::string finding_json(const studies::Finding& finding) {
+    if (finding.first.empty()) return "null";
+    return fmt::format(
+        R"({{"first":{},"rest":{}}})", json_text(finding.first), json_text(finding.rest));
+}
+
 std::string home_json(const TakeHome& home) {
     std::vector<std::string> commands;
     for (const NextCommand& command : home.commands)
@@ -168,12 +175,14 @@ std::string run_json(const experiment::RunData& run,
         const auto& [name, table] = given[i];
         tables[i] = json_text(name) + ":" + packed_table(*table);
     });
-    return fmt::format(R"({{"label":{},"record":{},"words":{},"live":{},"tables":{{{}}}}})",
-                       json_text(label),
-                       record_json(run),
-                       words_json(run, page_folder),
-                       live_json(run, page_folder),
-                       fmt::join(tables, ","));
+    return fmt::format(
+        R"({{"label":{},"record":{},"words":{},"finding":{},"live":{},"tables":{{{}}}}})",
+        json_text(label),
+        record_json(run),
+        words_json(run, page_folder),
+        finding_json(run.finding),
+        live_json(run, page_folder),
+        fmt::join(tables, ","));
 }
 
 /// Unit and meaning of every column of the tables that the runs have.

@@ -65,6 +65,42 @@ std::set<std::string> axes_to_tell(const std::vector<AxisRow>& rows) {
     return axes;
 }
 
+/// A method's curve that loses most, and along which axis.
+struct Break {
+    std::string method;
+    const Axis* axis = nullptr;
+    AxisCurve curve;
+
+    [[nodiscard]] bool is_level() const { return curve.loss() < kLevel; }
+};
+
+/// Of each method, the axis that it loses most along; who loses most first.
+std::vector<Break> breaks_of(const std::vector<AxisPoint>& points) {
+    std::vector<Break> breaks;
+    for (const Axis& axis : stress_axes()) {
+        for (AxisCurve& curve : axis_curves(points, axis.name)) {
+            if (harness::is_baseline(curve.method) || curve.best() == nullptr) continue;
+            auto known = std::ranges::find(breaks, curve.method, &Break::method);
+            if (known == breaks.end()) known = breaks.insert(known, {curve.method, &axis, {}});
+            if (curve.loss() > known->curve.loss() || known->curve.points.empty())
+                *known = {curve.method, &axis, std::move(curve)};
+        }
+    }
+    std::ranges::stable_sort(
+        breaks, std::greater<>(), [](const Break& b) { return b.curve.loss(); });
+    return breaks;
+}
+
+/// "grazing breaks mote4 first (error .02 to .45 at 2°)".
+std::string break_text(const Break& of) {
+    return fmt::format("{} breaks {} first (error {} to {} at {})",
+                       of.axis->name,
+                       of.method,
+                       share(*of.curve.best()->error()),
+                       share(*of.curve.worst()->error()),
+                       format_value(*of.axis, of.curve.worst()->value));
+}
+
 }  // namespace
 
 std::optional<double> AxisPoint::error() const {
@@ -106,7 +142,7 @@ core::TableOf<AxisPoint> axis_summary_table(bool has_ink) {
     table.add_derived({"cases", "", "that have a score"}, &P::cases);
     table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
     const auto range = table.part(&P::f_range);
-    range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
+    range.add_derived({"f_lo", "0..1", "lower end of its nominal 95 % interval, cases resampled"},
                       &statistics::Interval::low);
     range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
     table.add_derived({"error", "0..1", "1 - f"}, &P::error);
@@ -161,6 +197,47 @@ std::vector<AxisCurve> axis_curves(const std::vector<AxisPoint>& points, const s
         std::ranges::stable_sort(curve.points, {}, &AxisPoint::value);
     }
     return curves;
+}
+
+Finding stress_finding(const std::vector<AxisPoint>& points) {
+    constexpr std::size_t kTold = 3;  ///< methods that a heading has room for
+    const std::vector<Break> breaks = breaks_of(points);
+    if (breaks.empty()) return {};
+    std::vector<std::pair<std::string, std::size_t>> count_of_axis;
+    std::vector<std::string> told, level;
+    for (const Break& of : breaks) {
+        if (of.is_level()) {
+            level.push_back(of.method);
+            continue;
+        }
+        told.push_back(break_text(of));
+        auto known = std::ranges::find(
+            count_of_axis, of.axis->name, &std::pair<std::string, std::size_t>::first);
+        if (known == count_of_axis.end()) known = count_of_axis.insert(known, {of.axis->name, 0});
+        ++known->second;
+    }
+    const std::string steady =
+        level.empty()
+            ? ""
+            : fmt::format("no axis breaks {}",
+                          level.size() > kTold ? fmt::format("{} methods", level.size())
+                                               : fmt::format("{}", fmt::join(level, ", ")));
+    const char* rule = "First is the axis along which a method's error grows most.";
+    if (breaks.size() <= kTold || told.empty()) {
+        std::vector<std::string> parts = told;
+        if (!steady.empty()) parts.push_back(steady);
+        return {fmt::format("{}", fmt::join(parts, "; ")), rule};
+    }
+    std::ranges::stable_sort(
+        count_of_axis, std::greater<>(), &std::pair<std::string, std::size_t>::second);
+    std::vector<std::string> parts;
+    for (const auto& [axis, count] : count_of_axis)
+        parts.push_back(fmt::format("{} breaks {}", axis, count));
+    return {fmt::format("Of {} methods {} first{}",
+                        breaks.size(),
+                        fmt::join(parts, ", "),
+                        steady.empty() ? "" : "; " + steady),
+            fmt::format("{} {}.", rule, fmt::join(told, "; "))};
 }
 
 std::string stress_table(const std::vector<AxisPoint>& points) {

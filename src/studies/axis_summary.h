@@ -51,6 +51,14 @@ struct AxisCurve {
 [[nodiscard]] std::vector<AxisCurve> axis_curves(const std::vector<AxisPoint>& points,
                                                  const std::string& axis);
 
+/// Which axis breaks which method first: the one along which its error grows most.
+struct Finding {
+    std::string first;  ///< as a heading: of few methods each, of more how many an axis breaks
+    std::string rest;   ///< each method with its axis and its errors
+};
+/// Empty without a method that has a score.
+[[nodiscard]] Finding stress_finding(const std::vector<AxisPoint>& points);
+
 /// For a terminal: a line per axis with the method that loses most, and the counts; "" without
 /// stress.
 [[nodiscard]] std::string stress_table(const std::vector<AxisPoint>& points);

@@ -125,6 +125,7 @@ void finish_folder(const TuneResult& result, const TuneOptions& options, const T
     core::write_whole_file(options.out / "methods.csv", harness::methods_csv({options.config}));
     experiment::RunRecord record = record_of(options, space);
     if (auto begun = experiment::read_record(options.out)) record.models = std::move(begun->models);
+    record.finding = tune_finding(result, options);
     record.state = experiment::RunState::finished;
     record.blocks_done = record.blocks;
     experiment::write_record(record, options.out);

@@ -62,7 +62,7 @@ std::string left_out_line(const TuneResult& result, const TuneOptions& options) 
     if (result.left_out.empty()) return "";
     const double f = f_of(result.left_out);
     return fmt::format(
-        "one {} left out at a time: E {:.4f}, F {:.3f}, 95 % of E {} over {} views\n",
+        "one {} left out at a time: E {:.4f}, F {:.3f}, interval of E {} over {} views\n",
         is_by_kind(options.objective) ? "kind" : "view",
         1 - f,
         f,
@@ -85,6 +85,30 @@ std::string agreement_line(const TuneResult& result) {
         100.0 * static_cast<double>(agreement.differ_px) /
             static_cast<double>(std::max<std::int64_t>(agreement.total_px, 1)),
         f_of(result.tuned.train) - f_of(agreement.by_planes));
+}
+
+/// "+.012": by how much the first F exceeds the second.
+std::string gain_text(const std::vector<score::CurveCount>& a,
+                      const std::vector<score::CurveCount>& b) {
+    return summary::format_paired_difference({"", "", f_of(a) - f_of(b), std::nullopt});
+}
+
+/// "knight", "knight, cube", "18 scenes".
+std::string unseen_text(const std::vector<TunedScene>& scenes) {
+    constexpr std::size_t kNamed = 2;
+    if (scenes.size() > kNamed) return fmt::format("{} scenes", scenes.size());
+    return scenes.front().name + (scenes.size() == kNamed ? ", " + scenes.back().name : "");
+}
+
+/// What a gain on scenes that the search has not seen comes to.
+const char* advice_on(const std::vector<score::CurveCount>& tuned,
+                      const std::vector<score::CurveCount>& defaults) {
+    const double gain = f_of(tuned) - f_of(defaults);
+    const auto range = statistics::paired_interval(tuned, defaults, {});
+    if (gain < 0) return "do not ship";
+    if (gain == 0) return "nothing gained there";
+    if (!range) return "better there, too, on too few scenes to be sure";
+    return range->low > 0 ? "ship" : "better there, too, but not surely";
 }
 
 std::string settings_lines(const TuneResult& result, const TuneOptions& options) {
@@ -136,6 +160,26 @@ std::vector<std::pair<std::string, std::string>> provenance_lines(const TuneResu
     return lines;
 }
 
+std::string tune_finding(const TuneResult& result, const TuneOptions& options) {
+    const TunedSettings& tuned = result.tuned;
+    const TunedSettings& defaults = result.defaults;
+    const std::string found = fmt::format(
+        "{}: F {} where it searched", options.name, gain_text(tuned.train, defaults.train));
+    if (!tuned.heldout.empty()) {
+        return fmt::format("{}, {} on {}: {}",
+                           found,
+                           gain_text(tuned.heldout, defaults.heldout),
+                           unseen_text(result.heldout_scenes),
+                           advice_on(tuned.heldout, defaults.heldout));
+    }
+    if (result.left_out.empty()) return found + "; what it does elsewhere is not known";
+    return fmt::format(
+        "{}, {} on what was left out in turns: {}",
+        found,
+        gain_text(result.left_out, defaults.train),
+        f_of(result.left_out) < f_of(defaults.train) ? "do not ship" : "try it on other scenes");
+}
+
 std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     std::string text = fmt::format(
         "{}: {} evaluations of {} over {} views of {} training scenes, seed {}{}\n\n",
@@ -146,16 +190,16 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
         result.tuned.train.size(),
         options.plan.seed,
         result.resumed > 0 ? fmt::format(" ({} were on disk already)", result.resumed) : "");
-    text += fmt::format("{:<24} {:>7} {:>6} {:<18}", "", "E train", "F", "95 % of E");
+    text += fmt::format("{:<24} {:>7} {:>6} {:<18}", "", "E train", "F", "interval of E");
     if (result.heldout_views > 0) {
-        text += fmt::format(" {:>7} {:>6} {:<18} {:>8}", "unseen", "F", "95 % of E", "gap");
+        text += fmt::format(" {:>7} {:>6} {:<18} {:>8}", "unseen", "F", "interval of E", "gap");
     }
     text += '\n';
     text += error_line(result.defaults);
     text += error_line(result.tuned);
     if (result.random) text += error_line(*result.random);
     text += fmt::format(
-        "\npaired difference of {} and {} in F, 95 %:\n", options.name, options.config.info->name);
+        "\npaired difference of {} and {} in F:\n", options.name, options.config.info->name);
     text += paired_difference_line("training", result.tuned.train, result.defaults.train);
     if (result.heldout_views > 0) {
         text += paired_difference_line("unseen", result.tuned.heldout, result.defaults.heldout);
@@ -171,7 +215,8 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     text += '\n';
     text += agreement_line(result);
     text += settings_lines(result, options);
-    text += fmt::format("\npreset: {}\nevaluations: {}\n",
+    text += fmt::format("\n{}\npreset: {}\nevaluations: {}\n",
+                        tune_finding(result, options),
                         result.preset.string(),
                         (options.out / "evaluations.csv").string());
     return text;

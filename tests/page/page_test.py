@@ -443,6 +443,19 @@ class PageTest(BrowserTest):
         self.assertEqual(lines[0][0], "method")
         self.assertIn("mote4", [line[0] for line in lines])
 
+    # ---- Runs that compare nothing ----------------------------------------------------------
+
+    def test_a_search_and_axes_have_their_finding_as_title(self):
+        usual = ["--size", "160x90"]
+        said = inkbench("tune", "mote4", "--scenes", "cube,torus", "--unseen", "gear", "--evaluations", "6", *usual,
+                        "--out", self.folder / "tune")
+        said += inkbench("stress", "--axes", "grazing", "--points", "3", "--methods", "mote4,ids", *usual,
+                         "--out", self.folder / "stress")
+        for run, words in (("tune", ": F [+]... where it searched, [+-]... on gear: "), ("stress", "breaks mote4 first")):
+            self.open(self.folder / run / "report.html")
+            self.assertRegex(self.find("h1").text, words)
+            self.assertIn(self.find("h1").text, said)
+
     # ---- Two runs --------------------------------------------------------------------------
 
     def test_two_runs_show_the_changed_threshold(self):

@@ -55,7 +55,7 @@ TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
     const Desk desk;
     const std::string out = expect_done(desk, tune_words("out") + "--name mine");
     for (const std::string& word : Words("unseen gap range_depth out/mine.toml") +
-                                       Words{"E train", "95 %", "random search"} +
+                                       Words{"E train", "interval of E", "random search"} +
                                        Words{"paired difference of mine"})
         EXPECT_THAT(out, HasSubstr(word));
     EXPECT_THAT(desk.read("out/mine.toml"),

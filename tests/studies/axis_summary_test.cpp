@@ -96,6 +96,28 @@ TEST(AxisSummary, LeavesOutWhatHasNeitherScoreNorFault) {
     EXPECT_TRUE(summarise_axes(rows).empty()) << "such as times";
 }
 
+TEST(StressFinding, NamesTheAxisThatBreaksEachMethod) {
+    auto rows = some_rows();
+    for (const int k : {80, 70}) {  // less than along the other axis
+        rows.push_back(row_of("mote4", k, "a", k));
+        rows.back().row.axis = "origin";
+    }
+    EXPECT_EQ(stress_finding(summarise_axes(rows)).first,
+              "grazing breaks mote4 first (error .20 to .60 at 0.1°); no axis breaks steady");
+    EXPECT_EQ(stress_finding({}).first, "");
+}
+
+TEST(StressFinding, OfManyMethodsSaysHowManyAnAxisBreaks) {
+    std::vector<AxisRow> rows = some_rows();
+    for (const char* method : {"ids", "sobel", "label8"})
+        for (const double value : {1.0, 2.0})
+            rows.push_back(row_of(method, value, "a", value == 1 ? 90 : 20));
+    const Finding finding = stress_finding(summarise_axes(rows));
+    EXPECT_EQ(finding.first, "Of 5 methods grazing breaks 4 first; no axis breaks steady");
+    EXPECT_THAT(finding.rest,
+                HasSubstr("; grazing breaks mote4 first (error .20 to .60 at 0.1°)."));
+}
+
 TEST(StressTable, HasALinePerAxisThatRan) {
     const std::string table = stress_table(summarise_axes(some_rows()));
     EXPECT_THAT(table, HasSubstr("grazing"));

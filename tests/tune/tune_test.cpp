@@ -79,6 +79,23 @@ double plain_error(const method::MethodConfig& config,
     return 1 - sum.f();
 }
 
+TEST(TuneFinding, SaysWhatWasGainedWhereAndWhatToDo) {
+    TuneOptions named;
+    named.name = "mine";
+    TuneResult result;
+    result.defaults.train = {{900, 1000, 1000}};
+    result.tuned.train = {{938, 1000, 1000}};
+    const std::string found = "mine: F +.038 where it searched";
+    EXPECT_EQ(tune_finding(result, named), found + "; what it does elsewhere is not known");
+    result.heldout_scenes = {{"knight", scene::Split::real, "figure"}};
+    result.defaults.heldout = {{955, 1000, 1000}};
+    result.tuned.heldout = {{949, 1000, 1000}};
+    EXPECT_EQ(tune_finding(result, named), found + ", -.006 on knight: do not ship");
+    result.tuned.heldout = {{965, 1000, 1000}};
+    EXPECT_EQ(tune_finding(result, named),
+              found + ", +.010 on knight: better there, too, on too few scenes to be sure");
+}
+
 TEST_F(Tune, FindsNothingWorseThanTheDefaultsAndSaysWhatTheHarnessSays) {
     const TuneOptions with = options("mote4", "range_nz,threshold=1..64");
     const TuneResult result = tune(scenes({"cube", "layers", "gem"}), with);
@@ -177,6 +194,7 @@ TEST_F(Tune, WithoutHeldOutScenesOneViewIsLeftOutAtATime) {
     const TuneResult alone = tune(scenes({"cube"}), with);
     ASSERT_EQ(alone.left_out.size(), 3U);
     EXPECT_GE(error_of(alone.left_out), alone.tuned.found.error);
+    EXPECT_THAT(tune_finding(alone, with), HasSubstr(" on what was left out in turns: "));
     EXPECT_THAT(tune_summary(alone, with), HasSubstr("one view left out at a time: E 0."));
     EXPECT_THAT(read("mote4_found.toml"), HasSubstr("e_left_out = "));
     EXPECT_TRUE(tune(scenes({"cube", "gem"}), with).left_out.empty());

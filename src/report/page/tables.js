@@ -77,6 +77,7 @@ class Run {
         this.record = packed.record;
         // The program's: {first, rest, extent, paper, warnings} of verdict.md, {interval, home}; null of no comparison.
         this.words = packed.words;
+        this.finding = packed.finding;  // of a run that compares nothing: {first, rest}, or null
         this.live = new Map(Object.entries(packed.live));  // address of a scene's page for the reader's GPU
         this.tables = {};
         for (const [name, table] of Object.entries(packed.tables))

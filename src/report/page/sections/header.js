@@ -55,7 +55,7 @@ function runWords(run) {
     const words = {stress: 'How errors grow along axes of difficulty.', animation: 'How methods behave in motion.',
                    tune: 'A search for better settings.',
                    hardest: 'The views on which a method is worst: a promise is no better than its worst view.'};
-    return words[run.record.kind] || '';
+    return [words[run.record.kind], run.finding?.rest].filter(Boolean).join(' ');
 }
 
 function headline(view) {
@@ -63,6 +63,7 @@ function headline(view) {
     if (runs.length > 1) return `${runs.length} runs beside each other: ${runs.map(r => r.label).join(', ')}`;
     if (run.has('hardest.csv')) return hardestWords(run);
     if (run.rows.length) return view.isWhole ? run.words.first : answerOfSums(view);
+    if (run.finding) return run.finding.first;
     return run.record.name === run.record.kind ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
 }
 
