@@ -43,7 +43,9 @@ function rgbOf(hex) {
 /// Why a pixel is wrong, in the order of the pixel codes of images. `rgb` is for images, which always
 /// stand on white: the colours of figures for papers, chosen so that all of them keep apart for every
 /// kind of colour vision.
-const CAUSES = VOCABULARY.causes.map(cause => ({...cause, rgb: rgbOf(cause.figure)}));
+/// A miss of a method that declares no code has no cause that is known: it looks like any miss.
+const isKnownCause = ({name}) => name !== 'undeclared';
+const CAUSES = VOCABULARY.causes.map(cause => ({...cause, rgb: rgbOf(isKnownCause(cause) ? cause.figure : VOCABULARY.marks.missing)}));
 
 /// The two colours of errors where causes are not asked for, and those of the labels of a truth.
 const FALSE_RGB = rgbOf(VOCABULARY.marks.false);

@@ -5,7 +5,7 @@ state.define('causes.share', true);
 addSection({
     id: 'causes',
     title: 'Where the error goes',
-    intro: 'Each wrong pixel has one cause. Bars to the left are missing pixels, bars to the right false ones. ' +
+    intro: 'Each wrong pixel has one cause, and those that are known are drawn. Bars to the left are missing pixels, bars to the right false ones. ' +
         'Unmatched duplicates and unmatched truth are pixels of a correctly found line that one-to-one matching could not ' +
         'pair, because the drawn line is thick, ragged or short.',
     isThere: view => view.rows.some(row => row.false_negatives !== null && isScored(row)),
@@ -16,7 +16,7 @@ addSection({
         const isShare = state.get('causes.share');
         const unit = line => (isShare ? 100 / line.truth : 1);
         makeChart(root, {
-            id: 'causes', title: isShare ? 'Wrong pixels, % of the true ones' : 'Wrong pixels',
+            id: 'causes', title: `Wrong pixels of a known cause${isShare ? ', % of the true ones' : ''}`,
             height: 30 + 22 * lines.length + 46,
             controls: [choiceButtons('Unit', [[true, '% of truth'], [false, 'pixels']], isShare, on => state.set({'causes.share': on}))],
             draw: chart => drawCauseChart(chart, lines, unit, isShare),
@@ -24,7 +24,10 @@ addSection({
                 ...lines.map(line => [line.method, line.truth, line.unmatched_truth, line.unmatched_duplicates,
                                       ...CAUSES.map(c => line.causes[c.name])])],
         });
-        root.append(element('ul', {class: 'legend'}, CAUSES.filter(cause => lines.some(line => line.causes[cause.name] > 0))
+        const unknown = lines.filter(line => line.causes.undeclared > 0);
+        if (unknown.length) root.append(element('p', {class: 'note'}, 'Of these methods, which declare no code, most misses have no known cause: ' +
+            `${unknown.map(line => `${line.method} ${formatPercent(line.causes.undeclared / line.missing, 0)}`).join(', ')}.`));
+        root.append(element('ul', {class: 'legend'}, CAUSES.filter(cause => isKnownCause(cause) && lines.some(line => line.causes[cause.name] > 0))
             .map(cause => element('li', {}, element('i', {style: `background:${rgbText(cause.rgb)}`}), cause.text))));
         const share = (line, value) => `${((100 * value) / line.truth).toFixed(2)} %`;
         makeTable(root, {
@@ -35,7 +38,7 @@ addSection({
                 {key: 'unmatched_truth', title: 'unmatched truth', value: line => line.unmatched_truth, text: line => share(line, line.unmatched_truth), group: 'of the true pixels'},
                 {key: 'unmatched_duplicates', title: 'unmatched duplicates', value: line => line.unmatched_duplicates, text: line => share(line, line.unmatched_duplicates), group: 'of the true pixels'},
                 ...CAUSES.filter(cause => lines.some(line => line.causes[cause.name] > 0)).map(cause => ({
-                    key: cause.name, title: cause.name.replace(/_/g, ' '), help: cause.text,
+                    key: cause.name, title: isKnownCause(cause) ? cause.name.replace(/_/g, ' ') : 'cause not known', help: cause.text,
                     group: cause.kind === 'false_positives' ? 'false, px' : 'missing, px',
                     value: line => line.causes[cause.name], text: line => formatNumber(line.causes[cause.name]),
                 })).sort((a, b) => a.group.localeCompare(b.group)),
@@ -56,8 +59,9 @@ function causeTotals(summary) {
 
 function drawCauseChart(chart, lines, unit, isShare) {
     const {plot, width, height} = plotArea(chart, {left: plotLabelWidth(lines.map(line => line.info)), right: 16, top: 8, bottom: 46});
-    const most = kind => d3.max(lines, line => unit(line) * line[kind]) || 0;
-    const x = d3.scaleLinear().domain([-most('missing') * 1.02 || -1, most('false') * 1.02 || 1]).range([0, width]);
+    const known = CAUSES.filter(isKnownCause);
+    const most = kind => d3.max(lines, line => unit(line) * d3.sum(known.filter(cause => cause.kind === kind), cause => line.causes[cause.name]));
+    const x = d3.scaleLinear().domain([-most('false_negatives') * 1.02 || -1, most('false_positives') * 1.02 || 1]).range([0, width]);
     drawAxis(plot, x, {side: 'bottom', title: `missing ←   ${isShare ? '% of the true pixels' : 'pixels'}   → false`,
                        length: width, across: height, format: value => formatNumber(Math.abs(value))});
     const band = height / lines.length;
@@ -65,7 +69,7 @@ function drawCauseChart(chart, lines, unit, isShare) {
     lines.forEach((line, i) => {
         const from = {false_negatives: 0, false_positives: 0};
         const bar = plot.append('g').attr('class', 'point');
-        for (const cause of CAUSES) {
+        for (const cause of known) {
             const value = unit(line) * line.causes[cause.name];
             if (!value) continue;
             const start = from[cause.kind];
