@@ -12,7 +12,7 @@ from pathlib import Path
 
 MADE = {".git", "build", "inkbench-out", "bootstrap.log"}  # no part of the sources, as in .gitignore
 MOST_FILES, MOST_LINES, MOST_FLOORS = 60, 4300, 10
-MOST_README_WORDS, MOST_NOTE_WORDS, MOST_WORDS = 500, 600, 50_000
+MOST_README_WORDS, MOST_NOTE_WORDS, MOST_WORDS = 450, 600, 50_000
 GENERATED = "experiments/columns.md"
 DRAWERS = {"util", "utils", "common", "helper", "helpers", "misc"}
 
@@ -257,8 +257,8 @@ def check_flags(tree):
 
 
 def check_readme(tree):
-    """README.md is short: its tables and commands count, comments and the targets of links do not."""
-    text = re.sub(r"\]\([^)]*\)", "]", re.sub(r"<!--[^>]*-->", "", tree.get("README.md", "")))
+    """README.md is short: its commands count; tables, comments and the targets of links do not."""
+    text = re.sub(r"\]\([^)]*\)", "]", re.sub(r"^\|.*|<!--[^>]*-->", "", tree.get("README.md", ""), flags=re.M))
     count = sum(any(c.isalnum() for c in word) for word in text.split())
     if not 0 < count <= MOST_README_WORDS:
         yield f"README.md: {count} words, of {MOST_README_WORDS} at most"
@@ -326,7 +326,7 @@ RULES = [check_arrows, check_floors, check_libraries, check_folders, check_sizes
 TABLE = ("| `core` | nothing of ours | |\n| `scene` | core | |\n| `../methods` | core, scene | |\n"
          "| `truth` | core | |\n| `statistics` | core, `truth/line.h` | |\n"
          "| `harness` | all of the above | |\n| `tune` | all that measure, harness | |\n")
-SOUND = {"src/README.md": TABLE, "README.md": "word " * 500, "bench/CMakeLists.txt": "",
+SOUND = {"src/README.md": TABLE, "README.md": "word " * 450 + "\n| a table |", "bench/CMakeLists.txt": "",
          "tests/CMakeLists.txt": "-O3 -ffp-contract=off", "methods/CMakeLists.txt": "(\n    dots)\n",
          "methods/registry.cpp": "X(dots)\n", "methods/dots/dots.toml": "source = 1\n",
          "methods/dots/dots.cpp": '#include "scene/mesh.h"\n#include "methods/dots/dots.h"\n',
@@ -366,7 +366,7 @@ PLANTED = [
     (check_headers, "src/core/a.h", "", "src/core/a.h: code before #pragma once, or none"),
     (check_flags, "CMakePresets.json", "\nx -march=native", "CMakePresets.json:2: -march=native"),
     (check_flags, "cmake/a.cmake", "-Ofast", "-Ofast"),
-    (check_readme, "README.md", "word " * 501, "501 words"),
+    (check_readme, "README.md", "word " * 451, "451 words"),
     (check_prose, "a.md", "Time\nhangs\non it.", "a.md:2: 'hangs\non': write depends on"),
     (check_prose, "a.md", "F .918", "a.md:1: '.918': write its leading zero"),
     (check_words, "a.md", "word " * MOST_WORDS, "all pages: "),
