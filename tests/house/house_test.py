@@ -12,7 +12,7 @@ from pathlib import Path
 
 MADE = {".git", "build", "inkbench-out", "bootstrap.log"}  # no part of the sources, as in .gitignore
 MOST_FILES, MOST_LINES, MOST_FLOORS = 60, 4300, 10
-MOST_README_WORDS, MOST_NOTE_WORDS, MOST_WORDS = 450, 600, 50_000
+MOST_README_WORDS, MOST_NOTE_WORDS, MOST_WORDS, MOST_TASK_LINES = 450, 600, 50_000, 12
 GENERATED = "experiments/columns.md"
 DRAWERS = {"util", "utils", "common", "helper", "helpers", "misc"}
 
@@ -296,6 +296,14 @@ def check_words(tree):
             yield f"{path}: {count} words, of {MOST_NOTE_WORDS} at most"
 
 
+def check_guide(tree):
+    """A task of the guide fits into twelve lines, commands among them; tables do not count."""
+    for task in re.split(r"^##+ ", tree.get("experiments/guide.md", ""), flags=re.M)[1:]:
+        name, *lines = [line for line in task.split("\n") if line and not line.startswith(("|", "```", "<!--"))]
+        if len(lines) > MOST_TASK_LINES:
+            yield f"experiments/guide.md: '{name}' has {len(lines)} lines, of {MOST_TASK_LINES} at most"
+
+
 def anchors_of(page):
     """What links may name behind a #: headings in small letters, without marks, blanks as hyphens."""
     headings = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", page, flags=re.M | re.S), re.M)
@@ -319,7 +327,7 @@ def check_links(tree):
 
 RULES = [check_arrows, check_floors, check_libraries, check_folders, check_sizes, check_tests, check_methods,
          check_headers, check_flags, check_readme, check_prose, check_words,
-         check_links]
+         check_guide, check_links]
 
 # ---- Planted faults -------------------------------------------------------------------------
 
@@ -371,6 +379,7 @@ PLANTED = [
     (check_prose, "a.md", "F .918", "a.md:1: '.918': write its leading zero"),
     (check_words, "a.md", "word " * MOST_WORDS, "all pages: "),
     (check_words, "experiments/notes/a.md", "word " * 601, "experiments/notes/a.md: 601 words"),
+    (check_guide, "experiments/guide.md", "## A\n" + "| a |\na\n" * 13, "'A' has 13 lines, of 12"),
     (check_links, "tests/a.md", "[a](b.md)", "tests/a.md:1: there is no tests/b.md"),
     (check_links, "tests/a.md", "# A b, `c`\n[a](#a-b-c) [b](#a)", "tests/a.md:2: tests/a.md has no #a"),
 ]
