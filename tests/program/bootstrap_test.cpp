@@ -104,6 +104,14 @@ TEST_F(Bootstrap, TestConfiguresWhatDemoLeftOut) {
     EXPECT_THAT(calls_of({"test"}), Not(HasSubstr("--preset release -D")));
 }
 
+TEST_F(Bootstrap, PackageBuildsTheModuleToo) {
+    stand_in("bin/cpack", "echo cpack \"$@\" >>" + calls() + "; touch build/package/a.deb");
+    fs::create_directories(tree() / "build/package");
+    EXPECT_THAT(
+        calls_of({"package"}),
+        AllOf(HasSubstr(" pybind11-dev"), HasSubstr("--target inkbench inkbench_python\ncpack ")));
+}
+
 TEST_F(Bootstrap, InstallsABrowserAndAFuzzerOnlyIfAskedTo) {
     EXPECT_THAT(calls_of({"install"}), Not(AnyOf(HasSubstr("chromium"), HasSubstr("clang"))));
     EXPECT_THAT(calls_of({"install", "browser"}),
