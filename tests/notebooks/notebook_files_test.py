@@ -1,25 +1,41 @@
-"""What is committed of the notebooks: no outputs, and no figures that no page shows."""
+"""What is committed of the notebooks: the pictures that their cells drew, and no figures that no page shows."""
 
 import json
 import os
 import re
+import sys
 import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ["INKBENCH_SOURCE"])
 NOTEBOOKS = SOURCE / "notebooks"
+MOST_BYTES = 250_000
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(NOTEBOOKS))
+
+import keep  # noqa: E402
 
 
 class NotebookFiles(unittest.TestCase):
-    def test_carry_no_outputs(self):
+    def test_carry_the_pictures_that_their_cells_drew(self):
         paths = sorted(NOTEBOOKS.glob("*.ipynb"))
         self.assertGreaterEqual(len(paths), 3)
         for path in paths:
-            for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
-                if cell["cell_type"] == "code":
-                    self.assertEqual(cell["outputs"], [], f"{path.name}; notebooks/execute writes "
-                                     "executed notebooks elsewhere")
-                    self.assertIsNone(cell["execution_count"], path.name)
+            notebook = json.loads(path.read_text(encoding="utf-8"))
+            self.assertEqual(keep.stale(notebook), [], f"{path.name}: notebooks/execute --keep draws them again")
+            for cell in keep.code_cells(notebook):
+                kinds = {kind for output in cell["outputs"] for kind in output.get("data", {})}
+                self.assertLessEqual(kinds, {"image/png"}, path.name)
+            self.assertIn("image/png", path.read_text(encoding="utf-8"), path.name)
+            self.assertLess(path.stat().st_size, MOST_BYTES, path.name)
+
+    def test_a_cell_that_changed_is_stale(self):
+        cell = {"id": "a", "cell_type": "code", "metadata": {}, "source": ["x"], "outputs": []}
+        notebook = {"cells": [cell]}
+        self.assertEqual(keep.stale(notebook), ["a"])
+        self.assertEqual(keep.stale(keep.kept(notebook)), [])
+        cell["source"].append("y")
+        self.assertEqual(keep.stale(notebook), ["a"])
 
     def test_figures_are_those_that_pages_show(self):
         pages = [p for p in SOURCE.rglob("*.md")
