@@ -15,7 +15,7 @@ import json
 import sys
 from pathlib import Path
 
-COLOURS = 64
+COLOURS = 128
 MARK = "source_sha256"
 
 
@@ -37,7 +37,7 @@ def smaller(png):
     from PIL import Image
     picture = Image.open(io.BytesIO(base64.b64decode(png))).convert("RGB")
     file = io.BytesIO()
-    picture.quantize(COLOURS, dither=Image.Dither.NONE).save(file, "PNG", optimize=True)
+    picture.quantize(COLOURS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(file, "PNG", optimize=True)
     return base64.b64encode(file.getvalue()).decode()
 
 
