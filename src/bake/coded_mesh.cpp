@@ -54,20 +54,34 @@ CodedMesh coded_mesh(const scene::PreparedScene& scene) {
         codes[t] = std::uint64_t{ids[t]} << 16U | std::uint64_t{label8[t]} << 8U | surface8[t];
 
     FlatCodes flat = flat_codes(corners.indices, corners.vertices.size(), codes);
+    std::vector<std::uint32_t> corner_of(corners.vertices.size());
+    for (std::size_t i = 0; i < corners.indices.size(); ++i)
+        corner_of[corners.indices[i]] = static_cast<std::uint32_t>(i);
     CodedMesh mesh;
     mesh.added_count = flat.added_count(corners.vertices.size());
     mesh.indices = std::move(flat.indices);
     mesh.lookup = methods::lookup_table(scene);
     for (std::size_t v = 0; v < flat.source_vertex.size(); ++v) {
-        const auto& [of_patch, of_hull] = corners.vertices[flat.source_vertex[v]];
-        mesh.p_world.emplace_back(patches->p_world[of_patch]);
-        mesh.n_world.push_back(patches->n_world[of_patch]);
-        mesh.hull_n_world.push_back(hull->n_world[of_hull]);
+        mesh.corners.push_back(corner_of[flat.source_vertex[v]]);
         mesh.surface8.push_back(static_cast<std::uint8_t>(flat.codes[v] & 0xffU));
         mesh.label8.push_back(static_cast<std::uint8_t>(flat.codes[v] >> 8U & 0xffU));
         mesh.id.push_back(static_cast<std::uint32_t>(flat.codes[v] >> 16U));
     }
+    static_cast<MovingVertices&>(mesh) = posed_vertices(mesh, scene);
     return mesh;
+}
+
+MovingVertices posed_vertices(const CodedMesh& mesh, const scene::PreparedScene& posed) {
+    const auto patches = posed.surface(scene::NormalSource::patch, glm::radians(kCrease_deg));
+    const auto hull = posed.surface(scene::NormalSource::patch, glm::radians(kHullCrease_deg));
+    MovingVertices vertices;
+    for (const std::uint32_t corner : mesh.corners) {
+        const std::uint32_t of_patch = patches->triangles[corner / 3][corner % 3];
+        vertices.p_world.emplace_back(patches->p_world[of_patch]);
+        vertices.n_world.push_back(patches->n_world[of_patch]);
+        vertices.hull_n_world.push_back(hull->n_world[hull->triangles[corner / 3][corner % 3]]);
+    }
+    return vertices;
 }
 
 }  // namespace ink::bake

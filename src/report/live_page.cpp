@@ -19,6 +19,7 @@
 #include "report/packed_run.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
+#include "scene/animation.h"
 
 namespace ink::report {
 namespace {
@@ -47,12 +48,40 @@ std::vector<std::int16_t> packed_normals(std::span<const glm::vec3> normals) {
     return packed;
 }
 
+void append(std::vector<std::uint8_t>& bytes, const bake::MovingVertices& vertices) {
+    append(bytes, std::span(vertices.p_world));
+    append<std::int16_t>(bytes, packed_normals(vertices.n_world));
+    append<std::int16_t>(bytes, packed_normals(vertices.hull_n_world));
+}
+
+/// When the poses of a moving scene are, that the page mixes: evenly, as often as a page has room
+/// for; never where that is too seldom.
+std::vector<double> pose_times_s(const scene::Scene& scene, const bake::CodedMesh& mesh) {
+    if (scene.animation == nullptr || !(scene.animation->duration_s > 0)) return {};
+    constexpr std::size_t kMost_bytes = 20'000'000, kVertex_bytes = 28;
+    constexpr std::size_t kLeast = 6, kMost = 64;
+    const std::size_t room = kMost_bytes / (kVertex_bytes * mesh.vertex_count());
+    if (room < kLeast) return {};
+    const double wanted = std::ceil(15 * std::min(scene.animation->duration_s, 60.0)) + 1;
+    const std::size_t count =
+        std::clamp(static_cast<std::size_t>(wanted), kLeast, std::min(room, kMost));
+    std::vector<double> times(count);
+    for (std::size_t i = 0; i < count; ++i)
+        times[i] =
+            scene.animation->duration_s * static_cast<double>(i) / static_cast<double>(count - 1);
+    return times;
+}
+
 /// All arrays of a mesh in a row, little-endian, as live/mesh.js takes them apart.
-std::vector<std::uint8_t> mesh_bytes(const bake::CodedMesh& mesh) {
+std::vector<std::uint8_t> mesh_bytes(const bake::CodedMesh& mesh,
+                                     scene::Scene scene,
+                                     std::span<const double> times_s) {
     std::vector<std::uint8_t> bytes;
-    append(bytes, std::span(mesh.p_world));
-    append<std::int16_t>(bytes, packed_normals(mesh.n_world));
-    append<std::int16_t>(bytes, packed_normals(mesh.hull_n_world));
+    append(bytes, mesh);
+    for (const double time_s : times_s) {
+        scene::pose_scene(scene, time_s);
+        append(bytes, bake::posed_vertices(mesh, scene));
+    }
     append(bytes, std::span(mesh.id));
     append(bytes, std::span(mesh.indices));
     append(bytes, std::span(mesh.lookup.faces));
@@ -112,6 +141,7 @@ Json scores_json(const experiment::RunData& run, const harness::SceneViews& scen
 
 Json data_json(const harness::SceneViews& scene_views,
                const bake::CodedMesh& mesh,
+               std::span<const double> times_s,
                const std::optional<experiment::RunData>& run) {
     const scene::Sphere bounds = scene::bounding_sphere(scene_views.scene);
     Json views = Json::array();
@@ -128,6 +158,13 @@ Json data_json(const harness::SceneViews& scene_views,
                  {"center", point(bounds.center_world)},
                  {"radius", bounds.radius},
                  {"views", views}};
+    if (!times_s.empty()) {
+        const scene::Sphere ball = scene::bounds_of_poses(scene_views.scene, times_s);
+        data["motion"] = {{"count", times_s.size()},
+                          {"duration_s", times_s.back()},
+                          {"center", point(ball.center_world)},
+                          {"radius", ball.radius}};
+    }
     if (run) {
         data["run"] = run->record.name.empty() ? run->folder.string() : run->record.name;
         data["scores"] = scores_json(*run, scene_views);
@@ -151,9 +188,10 @@ std::string live_page(const harness::SceneViews& scene_views,
                       const std::optional<experiment::RunData>& run) {
     check_size(scene_views.scene);
     const bake::CodedMesh mesh = bake::coded_mesh(scene_views.scene);
+    const std::vector<double> times_s = pose_times_s(scene_views.scene, mesh);
     // A name may hold "</script>", and "<" stands in JSON's texts alone.
-    std::string data =
-        data_json(scene_views, mesh, run).dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string data = data_json(scene_views, mesh, times_s, run)
+                           .dump(-1, ' ', false, Json::error_handler_t::replace);
     for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
         data.replace(at, 1, "\\u003c");
     return filled(live_files().index,
@@ -161,7 +199,7 @@ std::string live_page(const harness::SceneViews& scene_views,
                    {"style", std::string(live_files().style)},
                    {"scripts", std::string(live_files().scripts)},
                    {"shaders", std::string(live_files().shaders)},
-                   {"mesh", mesh_elements(mesh_bytes(mesh))},
+                   {"mesh", mesh_elements(mesh_bytes(mesh, scene_views.scene, times_s))},
                    {"data", data}});
 }
 

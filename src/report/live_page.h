@@ -18,10 +18,10 @@ inline constexpr std::size_t kMostLiveTriangles = 8'000'000;
 /// HTML file that needs no other and no network.
 ///
 /// It holds the scene as it stands, with the codes that methods draw at default parameters
-/// (bake/coded_mesh.h), and its views. With a run, it shows each method's F, or soft F of ink, at
-/// each of its views that the run has of a scene of that name, or why there is none. What it shows
-/// is drawn by its own scripts (live/).
-/// Throws core::Error (where = the scene) for a scene without triangles, or of more than
+/// (bake/coded_mesh.h), its views, and of one that moves even poses, which play. With a run, it
+/// shows each method's F, or soft F of ink, at each of its views that the run has of a scene of
+/// that name, or why there is none. What it shows is drawn by its own scripts (live/). Throws
+/// core::Error (where = the scene) for a scene without triangles, or of more than
 /// kMostLiveTriangles.
 [[nodiscard]] std::string live_page(const harness::SceneViews& scene_views,
                                     const std::optional<experiment::RunData>& run);

@@ -73,6 +73,20 @@ TEST(CodedMesh, IsTheSceneWithTheCodesThatMethodsDraw) {
     }
 }
 
+TEST(CodedMesh, HasItsVerticesInAPose) {
+    scene::Scene scene = scene::scene_of({scene::unit_cube()});
+    const CodedMesh mesh = coded_mesh(scene);
+    scene.instances[0].world_from_object =
+        glm::dmat4(0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1);
+    const MovingVertices posed = posed_vertices(mesh, scene);
+    ASSERT_EQ(posed.p_world.size(), mesh.vertex_count());
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const glm::vec3 p = mesh.p_world[v], n = mesh.n_world[v];
+        EXPECT_EQ(posed.p_world[v], glm::vec3(5 - p.y, p.x, p.z));
+        EXPECT_NEAR(glm::dot(posed.n_world[v], glm::vec3(-n.y, n.x, n.z)), 1, 1e-6);
+    }
+}
+
 TEST(CodedMesh, KeepsTrianglesTheirWindingAndUnitNormals) {
     const scene::Scene scene = scene::scene_of({scene::unit_cube()});
     const CodedMesh mesh = coded_mesh(scene);

@@ -95,6 +95,7 @@ function pictureControls() {
         rangeField('Line width', state.lineWidthPx, 1, 4, lineWidthPx => choose({lineWidthPx})),
         element('label', {class: 'field'}, element('span', {}, 'Colour'), element('input', {type: 'color', value: state.colour,
             'aria-label': 'Colour', oninput: event => choose({colour: event.target.value})})),
+        ...motion ? [toggleButton('Play', state.isPlaying, play)] : [],
         toggleButton('Fill', state.hasFill, hasFill => choose({hasFill})),
         toggleButton('Lines', state.hasLines, hasLines => choose({hasLines})),
         chooser('Theme', [['auto', 'as the system'], ['light', 'light'], ['dark', 'dark']], state.theme, theme => {

@@ -37,6 +37,11 @@ const API = {
         checkSize({width, height});
         return renderer.bytesOf(renderer.drawFill(cameraAsked(view), width, height), red => (red < 255 ? 255 : 0));
     },
+    /// Poses a model that moves, as it is after so many seconds.
+    pose(time) {
+        if (!motion) throw new Error('the model does not move');
+        poseAt(time);
+    },
     async time({method, width, height, view}) {
         checkMethod(method);
         checkSize({width, height});
@@ -60,11 +65,13 @@ function start() {
         `${count(DATA.added_count, 'of them')} for the codes alone.${DATA.run ? ` F (2 px) is that of the program's methods in the run ${DATA.run}.` : ''}`;
     document.getElementById('foot').textContent = `Made by inkbench ${DATA.version}. This page needs no other file and no network.`;
     document.getElementById('stage').append(frame);
-    renderer = attempt(() => new Renderer(canvas, readMesh()));
+    const mesh = readMesh();
+    renderer = attempt(() => new Renderer(canvas, mesh));
     if (!renderer) {
         frame.remove();
         return;
     }
+    if (DATA.motion) motion = new Motion(mesh);
     canvas.addEventListener('webglcontextlost', () => showTrouble('The browser took the GPU away from this page. Load it again.'));
     window.inkbench = API;
     if (frame.clientWidth * devicePixelRatio > 0.75 * ASKED_SIZE[0]) state.size = ASKED_SIZE;

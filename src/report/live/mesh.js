@@ -30,10 +30,11 @@ function readMesh() {
         at += values.byteLength;
         return values;
     };
+    const takeMoving = () => ({position: take(Float32Array, 3 * vertices), normal: take(Int16Array, 4 * vertices),
+        hull_normal: take(Int16Array, 4 * vertices)});
     return {
-        position: take(Float32Array, 3 * vertices),
-        normal: take(Int16Array, 4 * vertices),
-        hull_normal: take(Int16Array, 4 * vertices),
+        ...takeMoving(),
+        poses: Array.from({length: DATA.motion?.count ?? 0}, takeMoving),
         id: take(Uint32Array, vertices),
         indices: take(Uint32Array, 3 * DATA.triangle_count),
         faces: take(Uint32Array, 8 * DATA.face_count),

@@ -22,7 +22,7 @@ class Renderer {
         this.targets = new Map();
         this.programs = new Map();
         this.layouts = new Map();
-        const {faces, points, ...arrays} = mesh;
+        const {faces, points, poses, ...arrays} = mesh;
         this.buffers = Object.fromEntries(Object.entries(arrays).map(([name, values]) => {
             const kind = name === 'indices' ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
             const buffer = gl.createBuffer();
@@ -46,15 +46,32 @@ class Renderer {
     table(values, format, layout, type) {
         const {gl} = this;
         const height = Math.max(1, Math.ceil(values.length / (4 * TABLE_WIDTH)));
-        const whole = new values.constructor(4 * TABLE_WIDTH * height);
-        whole.set(values);
         const texture = gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, texture);
         gl.texStorage2D(gl.TEXTURE_2D, 1, format, TABLE_WIDTH, height);
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH, height, layout, type, whole);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+        this.writeTable(texture, values, layout, type);
         return texture;
+    }
+
+    writeTable(texture, values, layout, type) {
+        const {gl} = this;
+        const height = Math.max(1, Math.ceil(values.length / (4 * TABLE_WIDTH)));
+        const whole = new values.constructor(4 * TABLE_WIDTH * height);
+        whole.set(values);
+        gl.bindTexture(gl.TEXTURE_2D, texture);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH, height, layout, type, whole);
+    }
+
+    /// Arrays of the vertices by name, and the points of the tables, as they have moved.
+    move(arrays, points) {
+        const {gl} = this;
+        for (const [name, values] of Object.entries(arrays)) {
+            gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[name]);
+            gl.bufferSubData(gl.ARRAY_BUFFER, 0, values);
+        }
+        this.writeTable(this.tables.points, points, gl.RGBA, gl.FLOAT);
     }
 
     /// Binds textures by the names of their uniforms; null takes one away. Returns their units.

@@ -8,10 +8,11 @@ const ASKED_SIZE = [DATA.views[0].width_px, DATA.views[0].height_px];
 const state = {
     left: 'chords', right: 'surface_lookup', layout: 'two', cut: 0.5, view: DATA.views[0].name,
     size: null, lineWidthPx: 1, colour: '#000000',
-    hasFill: true, hasLines: true, theme: 'auto', times: {}, card: null,
+    hasFill: true, hasLines: true, theme: 'auto', times: {}, card: null, isPlaying: false, time: null,
 };
 let camera = cameraOfView(DATA.views[0]);
 let renderer = null;
+let motion = null;
 
 const canvas = element('canvas', {class: 'live', tabindex: 0, role: 'img',
     'aria-label': `${DATA.scene}, drawn: drag or arrow keys turn it, wheel or + and - zoom, Shift moves it`});
@@ -107,6 +108,36 @@ function drawPicture() {
             renderer.show(fill, lines, part, seen, METHODS[method].steps ? {...looks, lineWidthPx: 1} : looks);
         }
     placeLabels(picture);
+}
+
+/// Near and far of all cameras hold every pose from here on, and scores are of the model at rest.
+function leaveRest() {
+    Object.assign(DATA, {center: DATA.motion.center, radius: DATA.motion.radius, scores: null});
+    for (const view of DATA.views) {
+        const {near, far} = fitted(cameraOfView(view));
+        Object.assign(view, {near, far});
+    }
+    camera = fitted(camera);
+}
+
+/// Shows the model as it is at a time, in seconds.
+function poseAt(time) {
+    if (state.time === null) leaveRest();
+    state.time = time;
+    motion.pose(renderer, time);
+    moveCamera(camera);
+}
+
+function play(isPlaying) {
+    choose({isPlaying});
+    let before = null;
+    const step = now => {
+        if (!state.isPlaying) return;
+        attempt(() => poseAt(state.time + (before === null ? 0 : now - before) / 1000));
+        before = now;
+        requestAnimationFrame(step);
+    };
+    if (isPlaying) requestAnimationFrame(step);
 }
 
 let isAsked = false;
