@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "catalogue/catalogue.h"
+#include "cli/shader_counts.h"
 #include "core/error.h"
 #include "core/param.h"
 #include "experiment/dictionary.h"
@@ -30,6 +31,8 @@ std::string list_methods() {
         text += name_lines(info);
         text +=
             fmt::format("  {:<10} cost: {}\n", "", method::cost_sentence(info.make({})->cost()));
+        const std::string shader = shader_text(info.name);
+        if (!shader.empty()) text += fmt::format("  {:<10} shader: {}\n", "", shader);
     }
     return text;
 }

@@ -71,6 +71,7 @@ TEST(Advise, JsonHoldsTheSame) {
     EXPECT_GT(bytes, 160 * 90);
     EXPECT_DOUBLE_EQ(json.at("bandwidth_ms"),
                      bytes / json.at("bandwidth_gb_s").get<double>() * 1e-6);
+    EXPECT_TRUE(json.contains("shader_instructions"));
 }
 
 const std::vector<std::string> kOfImages = {

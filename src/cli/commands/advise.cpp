@@ -10,6 +10,7 @@
 #include "cli/json_values.h"
 #include "cli/options/command_rows.h"
 #include "cli/options/run_options.h"
+#include "cli/shader_counts.h"
 #include "cli/traced_view.h"
 #include "core/error.h"
 #include "core/scratch_folder.h"
@@ -155,6 +156,7 @@ std::string as_text(const Advice& advice) {
                                                 advice.asked.compare.answer.budget_ms)
                                   : report::times_text(advice.answer, report::Markup::none);
     const bool is_ink = use.measure() == summary::Measure::soft_f;
+    const std::string shader = shader_text(use.method);
     const score::CurveCount of_model = use.judged().counts_of_scene.begin()->second;
     return fmt::format(
         "use        {}{}\n"
@@ -162,7 +164,7 @@ std::string as_text(const Advice& advice) {
         "{:.1f} % of what it draws is false: {}\n"
         "runner-up  {}\n"
         "moves      {:.1f} MB a frame of {}x{} if each pixel is covered once: {:.3f} ms at {:g} "
-        "GB/s, an estimate for a GPU\n"
+        "GB/s, an estimate for a GPU{}\n"
         "next       {}\n",
         use.method,
         alike.empty() ? "" : ": " + alike,
@@ -180,6 +182,7 @@ std::string as_text(const Advice& advice) {
         advice.asked.sizes[0].height_px,
         advice.bandwidth_ms(),
         kBandwidth_gb_s,
+        shader.empty() ? "" : "; its shader: " + shader,
         advice.next);
 }
 
@@ -209,6 +212,7 @@ Json as_json(const Advice& advice) {
             {"bytes_per_frame", advice.bytes()},
             {"bandwidth_gb_s", kBandwidth_gb_s},
             {"bandwidth_ms", advice.bandwidth_ms()},
+            {"shader_instructions", shader_json(advice.answer.method->method)},
             {"next", advice.next}};
 }
 

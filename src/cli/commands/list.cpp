@@ -14,6 +14,7 @@
 #include "cli/json_values.h"
 #include "cli/listing.h"
 #include "cli/options/command_rows.h"
+#include "cli/shader_counts.h"
 #include "core/error.h"
 #include "core/named.h"
 #include "core/param.h"
@@ -52,7 +53,8 @@ Json methods_json() {
         return {{"name", info.name},
                 {"summary", info.summary},
                 {"source", info.source},
-                {"cost", method::cost_sentence(info.make({})->cost())}};
+                {"cost", method::cost_sentence(info.make({})->cost())},
+                {"shader_instructions", shader_json(info.name)}};
     });
 }
 
