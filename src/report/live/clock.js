@@ -1,10 +1,11 @@
 // How long the passes of a method take on this GPU, by a ladder: so many of one pass in a row, twice as many, four
-// times as many. What each further one adds is its time; all that is drawn once falls out. A pass of ten
+// times as many. What each further one adds is its time; what is there but once falls out. A pass of ten
 // microseconds can be timed in no other way.
 
 /// Software that draws for a GPU: its timer queries time nothing.
 const SOFTWARE = /swiftshader|llvmpipe|lavapipe|software|basic render/i;
 const ROUNDS = 5;
+const MOST_ROUNDS = 15; // where the spread is large
 const MOST_PASSES = 4096;
 /// Times whose spread is a larger share are none.
 const MOST_SPREAD = 0.15;
@@ -47,33 +48,36 @@ class Clock {
         const frame = drawnBy(this.renderer);
         const lines = drawnBy(Object.create(this.renderer, {drawMesh: {value() {}}}));
         const mesh = drawnBy(Object.create(this.renderer, {drawScreen: {value() {}}}));
-        this.renderer.finish(frame(0)); // the first frame compiles and allocates
-        const ofLines = await this.ladder(lines, frame);
-        const ofMesh = ofLines && await this.ladder(mesh, frame);
+        // The first frames compile, allocate, and leave the codes that the lines are drawn from.
+        this.renderer.finish([1, 0].map(frame)[1]);
+        const ofLines = await this.ladder(lines);
+        const ofMesh = ofLines && await this.ladder(mesh);
         return ofMesh && {lines_ns: ofLines.ns, lines_spread_ns: ofLines.spread_ns, mesh_ns: ofMesh.ns, mesh_spread_ns: ofMesh.spread_ns};
     }
 
     /// The slope over the least time of each rung. Its spread is how far these lie off a line, or the slope of the
     /// middle round off theirs.
-    async ladder(pass, frame) {
+    async ladder(pass) {
         const read = passes => this.reading(() => {
-            for (let i = 0; i < passes; ++i) pass(i);
-            return frame(0);
+            for (let i = 1; i < passes; ++i) pass(i);
+            return pass(0);
         });
         const foot = await read(1);
         let most = 4;
         while (most < MOST_PASSES && await read(most) - foot < this.leastRise_ns) most *= 2;
         const rounds = [];
-        for (let round = 0; round < ROUNDS; ++round) {
+        let found = null;
+        while (rounds.length < ROUNDS || (rounds.length < MOST_ROUNDS && isCoarse(found.ns, found.spread_ns))) {
             const rungs = [];
             for (const passes of [most / 4, most / 2, most]) rungs.push([passes, await read(passes)]);
             if (rungs.some(([, ns]) => Number.isNaN(ns))) return null;
             rounds.push(rungs);
+            const least = rungs.map(([passes], rung) => [passes, Math.min(...rounds.map(round => round[rung][1]))]);
+            const {slope, error} = lineThrough(least);
+            const ofMiddle = middle(rounds.map(round => lineThrough(round).slope));
+            found = {ns: Math.max(0, slope), spread_ns: Math.max(error, Math.abs(ofMiddle - slope))};
         }
-        const least = rounds[0].map(([passes], rung) => [passes, Math.min(...rounds.map(rungs => rungs[rung][1]))]);
-        const {slope, error} = lineThrough(least);
-        const ofMiddle = middle(rounds.map(rungs => lineThrough(rungs).slope));
-        return {ns: Math.max(0, slope), spread_ns: Math.max(error, Math.abs(ofMiddle - slope))};
+        return found;
     }
 
     /// Nanoseconds of what is drawn, one reading a frame; NaN if the GPU's clock was disturbed.
