@@ -45,7 +45,7 @@ core::TableInfo run_record() {
 
 /// Its columns differ from run to run: one stands here for all swept parameters.
 core::TableInfo sweep() {
-    core::TableInfo table = harness::sweep_table({"PARAMETER"});
+    core::TableInfo table = harness::sweep_table({.parameters = {"PARAMETER"}, .has_ink = true});
     for (core::Column& column : table.columns) {
         if (column.name == "PARAMETER")
             column.doc =

@@ -83,12 +83,15 @@ std::string diff_json(const experiment::RunData& a, const experiment::RunData& b
     const auto number = [](const std::optional<double>& value) {
         return value ? fmt::format("{}", *value) : "null";
     };
+    const auto range = [](const experiment::FDiff& f) {
+        return f.range ? fmt::format(R"({{"low":{},"high":{}}})", f.range->low, f.range->high)
+                       : "null";
+    };
     for (const experiment::MethodDiff& method : diff.methods) {
-        const auto& range = method.range;
-        methods.push_back(fmt::format(R"({}:{{"low":{},"high":{},"time_ratio":{}}})",
+        methods.push_back(fmt::format(R"({}:{{"f_2px":{},"soft_f":{},"time_ratio":{}}})",
                                       json_text(method.method),
-                                      range ? number(range->low) : "null",
-                                      range ? number(range->high) : "null",
+                                      range(method.f),
+                                      range(method.soft_f),
                                       number(method.time_ratio)));
     }
     return fmt::format("{{{}}}", fmt::join(methods, ","));

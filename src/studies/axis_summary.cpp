@@ -25,7 +25,7 @@ std::string share(double value) {
 }
 
 void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, AxisPoint& point) {
-    std::vector<score::CurveCount> clusters;
+    std::vector<score::CurveCount> clusters, inks;
     score::CurveCount all{};
     for (const AxisRow* row : rows) {
         point.faults.add(row->faults);
@@ -36,11 +36,13 @@ void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, Axi
         if (!row->row.soft) continue;
         if (!point.soft) point.soft.emplace();
         *point.soft += *row->row.soft;
+        inks.push_back(row->row.soft->counts());
     }
     point.cases = static_cast<int>(clusters.size());
     if (clusters.empty()) return;
     point.f = all.f();
     point.f_range = statistics::f_interval(clusters, {.seed = seed});
+    point.soft_range = statistics::f_interval(inks, {.seed = seed});
     const auto k = static_cast<double>(all.k);
     if (all.n_pred > 0) point.precision = k / static_cast<double>(all.n_pred);
     if (all.n_truth > 0) point.recall = k / static_cast<double>(all.n_truth);
@@ -154,6 +156,10 @@ core::TableOf<AxisPoint> axis_summary_table(bool has_ink) {
         table.part(&P::soft).add_derived(
             {"soft_f", "0..1", "of the ink of all cases; only with --coverage"},
             &score::SoftScore::f);
+        const auto soft_range = table.part(&P::soft_range);
+        soft_range.add_derived({"soft_lo", "0..1", "lower end of its 95 % interval"},
+                               &statistics::Interval::low);
+        soft_range.add_derived({"soft_hi", "0..1", "upper end"}, &statistics::Interval::high);
     }
     const auto counts = table.part(&P::faults);
     counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);

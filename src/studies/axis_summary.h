@@ -22,7 +22,8 @@ struct AxisPoint {
     std::optional<double> precision = {};
     std::optional<double> recall = {};
     std::int64_t truth_px = 0;
-    std::optional<score::SoftScore> soft = {};  ///< of grey lines, pooled over cases
+    std::optional<score::SoftScore> soft = {};            ///< of grey lines, pooled over cases
+    std::optional<statistics::Interval> soft_range = {};  ///< of soft F, as f_range
     CaseFaults faults = {};
 
     [[nodiscard]] std::optional<double> error() const;

@@ -73,7 +73,7 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
 }
 
 /// One for each kind; scenes of none are left out.
-std::vector<KindSummary> kinds_of(const Rows& rows) {
+std::vector<KindSummary> kinds_of(const Rows& rows, Measure measure) {
     std::vector<KindSummary> kinds;
     for (const harness::Row* row : rows) {
         const std::string& kind = row->scene_kind;
@@ -82,12 +82,12 @@ std::vector<KindSummary> kinds_of(const Rows& rows) {
         std::ranges::copy_if(rows, std::back_inserter(own), [&](const harness::Row* other) {
             return other->scene_kind == kind;
         });
-        const auto& [names, counts] = sums_by_scene(own, Measure::f_2px);
+        const auto& [names, counts] = sums_by_scene(own, measure);
         const auto least = std::ranges::min_element(counts, {}, &Counts::f) - counts.begin();
         const auto at = static_cast<std::size_t>(least);
         kinds.push_back({kind,
                          static_cast<int>(names.size()),
-                         *pooled(own, Measure::f_2px),
+                         *pooled(own, measure),
                          names[at],
                          counts[at].f()});
     }
@@ -97,7 +97,7 @@ std::vector<KindSummary> kinds_of(const Rows& rows) {
 std::optional<double> mean_of_kinds(const std::vector<KindSummary>& kinds) {
     std::vector<double> values;
     for (const KindSummary& kind : kinds)
-        values.push_back(kind.f_2px);
+        values.push_back(kind.f);
     return kinds.size() < 2 ? std::nullopt : statistics::mean(values);
 }
 
@@ -132,6 +132,8 @@ FSummary summarise_f(const Rows& rows, Measure measure) {
     summary.heldout = pooled(of_split(rows, "heldout"), measure);
     summary.real = pooled(of_split(rows, "real"), measure);
     summary.macro = macro_f(scenes.counts);
+    summary.kinds = kinds_of(rows, measure);
+    summary.mean_of_kinds = mean_of_kinds(summary.kinds);
     find_error_scene(scenes, summary);
     return summary;
 }
@@ -148,8 +150,6 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     if (std::ranges::all_of(rows, [](const harness::Row* row) { return row->soft.has_value(); }))
         summary.soft_f = summarise_f(rows, Measure::soft_f);
     summary.scenes = static_cast<int>(summary.f.counts_of_scene.size());
-    summary.kinds = kinds_of(rows);
-    summary.f_kinds = mean_of_kinds(summary.kinds);
     summary.f_1px = f_1px(rows);
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);

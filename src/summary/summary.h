@@ -13,11 +13,11 @@
 
 namespace ink::summary {
 
-/// What a method scores on scenes of one kind.
+/// An F of a method on scenes of one kind.
 struct KindSummary {
     std::string kind;
     int scenes = 0;
-    double f_2px = 0;         ///< of the counts pooled over their views
+    double f = 0;             ///< of the counts pooled over their views
     std::string least_scene;  ///< the one with the lowest F
     double f_least = 0;       ///< of that
 };
@@ -41,6 +41,8 @@ struct FSummary {
     std::optional<double> heldout;              ///< over those of held-out scenes
     std::optional<double> real;                 ///< over those of model files
     std::optional<double> macro;                ///< mean over scenes of F over each one's views
+    std::vector<KindSummary> kinds;             ///< in order of first appearance
+    std::optional<double> mean_of_kinds;        ///< of their F; nothing for fewer than two
     std::map<std::string, score::CurveCount> counts_of_scene = {};  ///< by name
 };
 
@@ -55,8 +57,6 @@ struct MethodSummary {
     int scenes = 0;                   ///< of those without
     FSummary f;                       ///< at 2 px
     FSummary soft_f;                  ///< nothing unless all its views have it
-    std::optional<double> f_kinds;    ///< mean of `kinds`' F; nothing for fewer than two
-    std::vector<KindSummary> kinds;   ///< in order of first appearance
     std::optional<double> ap;         ///< of its views' curves; see add_curves
     std::optional<double> f_1px;      ///< pooled
     std::optional<double> precision;  ///< pooled, 2 px

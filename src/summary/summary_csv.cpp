@@ -90,6 +90,8 @@ void add_f(const core::PartOf<const FSummary>& f,
     f.add_derived({name + "_heldout", "0..1", "the same over held-out scenes"}, &S::heldout);
     f.add_derived({name + "_real", "0..1", "the same over model files"}, &S::real);
     f.add_derived({name + "_macro", "0..1", "mean of the scenes' own F"}, &S::macro);
+    f.add_derived({name + "_kinds", "0..1", "mean of F over kinds of scenes (kinds.csv)"},
+                  &S::mean_of_kinds);
 }
 
 void add_scores(const core::PartOf<const MethodSummary>& summary, bool has_soft_f) {
@@ -98,8 +100,6 @@ void add_scores(const core::PartOf<const MethodSummary>& summary, bool has_soft_
           {"f_2px", "0..1", "F within 2 px of the counts of all views"},
           "f",
           "error");
-    summary.add_derived({"f_kinds", "0..1", "mean of F over kinds of scenes (kinds.csv)"},
-                        &S::f_kinds);
     summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
     summary.add_derived({"precision", "0..1", "pooled, within 2 px"}, &S::precision);
     summary.add_derived({"recall", "0..1", "pooled, within 2 px"}, &S::recall);
@@ -192,24 +192,27 @@ std::string remedy_of(const harness::Row& row) {
 struct KindLine {
     std::string method;
     KindSummary kind;
+    std::optional<KindSummary> soft = {};
 };
 
-const core::TableOf<KindLine>& kind_columns() {
-    static const auto kTable = [] {
-        core::TableOf<KindLine> table(
-            "kinds.csv", "A line per method and kind of scene, over all cells of study `compare`.");
-        table.add_derived({"method", "", "as in rows.csv"}, &KindLine::method);
-        const auto kind = table.part(&KindLine::kind);
-        kind.add_derived({"scene_kind", "", "as in rows.csv"}, &KindSummary::kind);
-        kind.add_derived({"scenes", "", "of this kind that have a score"}, &KindSummary::scenes);
-        kind.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all their views"},
-                         &KindSummary::f_2px);
-        kind.add_derived({"least_scene", "", "the scene with the lowest F"},
-                         &KindSummary::least_scene);
-        kind.add_derived({"f_least", "0..1", "that F"}, &KindSummary::f_least);
-        return table;
-    }();
-    return kTable;
+core::TableOf<KindLine> kind_columns(bool has_soft_f) {
+    using K = KindSummary;
+    core::TableOf<KindLine> table(
+        "kinds.csv", "A line per method and kind of scene, over all cells of study `compare`.");
+    table.add_derived({"method", "", "as in rows.csv"}, &KindLine::method);
+    const auto kind = table.part(&KindLine::kind);
+    kind.add_derived({"scene_kind", "", "as in rows.csv"}, &K::kind);
+    kind.add_derived({"scenes", "", "of this kind that have a score"}, &K::scenes);
+    kind.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all their views"}, &K::f);
+    kind.add_derived({"least_scene", "", "the scene with the lowest F"}, &K::least_scene);
+    kind.add_derived({"f_least", "0..1", "that F"}, &K::f_least);
+    if (!has_soft_f) return table;
+    const auto soft = table.part(&KindLine::soft);
+    soft.add_derived(
+        {"soft_f", "0..1", "soft F of their ink; this and the next only with coverage"}, &K::f);
+    soft.add_derived({"soft_least_scene", "", "the scene with the lowest"}, &K::least_scene);
+    soft.add_derived({"soft_least", "0..1", "that soft F"}, &K::f_least);
+    return table;
 }
 
 const core::TableOf<Unscored>& unscored_columns() {
@@ -247,17 +250,22 @@ std::string summary_csv(const std::vector<harness::Row>& rows, const Comparison&
     return table(comparison.measure() == Measure::soft_f).file(lines);
 }
 
-const core::TableInfo& kinds_table() {
-    return kind_columns().info();
+core::TableInfo kinds_table() {
+    return kind_columns(true).info();
 }
 
 std::string kinds_csv(const std::vector<MethodSummary>& summaries) {
     std::vector<KindLine> lines;
+    bool has_soft_f = false;
     for (const MethodSummary& summary : summaries) {
-        for (const KindSummary& kind : summary.kinds)
-            lines.push_back({summary.method, kind});
+        const std::vector<KindSummary>& soft = summary.soft_f.kinds;  // of the same kinds, or none
+        for (std::size_t i = 0; i < summary.f.kinds.size(); ++i) {
+            lines.push_back({summary.method, summary.f.kinds[i]});
+            if (!soft.empty()) lines.back().soft = soft[i];
+        }
+        has_soft_f = has_soft_f || !soft.empty();
     }
-    return lines.empty() ? "" : kind_columns().file(lines);
+    return lines.empty() ? "" : kind_columns(has_soft_f).file(lines);
 }
 
 std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {

@@ -20,8 +20,9 @@ namespace ink::summary {
 [[nodiscard]] std::string summary_csv(const std::vector<harness::Row>& rows,
                                       const Comparison& comparison);
 
-/// kinds.csv: F of each method over scenes of each kind; "" where no row has a kind.
-[[nodiscard]] const core::TableInfo& kinds_table();
+/// kinds.csv: F, and soft F where methods have it, of each method over scenes of each kind; ""
+/// where no row has a kind.
+[[nodiscard]] core::TableInfo kinds_table();
 [[nodiscard]] std::string kinds_csv(const std::vector<MethodSummary>& summaries);
 
 /// Cells without a score for one and the same reason, on one view.

@@ -104,8 +104,25 @@ TEST(DiffRuns, ARunAndItselfAreTheSame) {
     EXPECT_FALSE(diff.is_worse());
     EXPECT_EQ(diff.cells.paired.size(), 24U);
     ASSERT_EQ(diff.methods.size(), 2U);
-    EXPECT_EQ(diff.methods[0].difference, 0.0);
+    EXPECT_EQ(diff.methods[0].f.difference, 0.0);
+    EXPECT_FALSE(diff.methods[0].soft_f.before) << "no run has ink";
     EXPECT_NEAR(diff.methods[0].time_ratio.value_or(0), 1, 1e-12);
+}
+
+TEST(DiffRuns, LessInkIsWorse) {
+    RunData before = twelve_scenes();
+    for (harness::Row& row : before.tables.rows)
+        row.soft = {.matched_px = 90, .missing_px = 10};
+    RunData after = before;
+    for (harness::Row& row : after.tables.rows)
+        if (row.method == "mote4") row.soft = {.matched_px = 80, .missing_px = 20};
+    const RunDiff diff = diff_runs(before, after, 1);
+    const MethodDiff& mote4 = diff.methods[0];
+    EXPECT_EQ(mote4.method, "mote4");
+    EXPECT_EQ(mote4.changed_scores, 12);
+    EXPECT_EQ(mote4.f.difference, 0.0);
+    EXPECT_NEAR(*mote4.soft_f.difference, 160.0 / 180 - 180.0 / 190, 1e-6);
+    EXPECT_TRUE(mote4.is_worse());
 }
 
 TEST(DiffRuns, APlantedChangeNamesItsMethodFirstAndNoOther) {
@@ -126,9 +143,9 @@ TEST(DiffRuns, APlantedChangeNamesItsMethodFirstAndNoOther) {
     EXPECT_EQ(mote4.settings, "threshold 20 -> 25");
     EXPECT_EQ(mote4.changed_images, 12);
     EXPECT_EQ(mote4.changed_scores, 12);
-    EXPECT_NEAR(mote4.difference.value_or(0), -0.05, 1e-12);
-    ASSERT_TRUE(mote4.range);
-    EXPECT_NEAR(mote4.range->high, -0.05, 1e-12) << "every scene fell by the same";
+    EXPECT_NEAR(mote4.f.difference.value_or(0), -0.05, 1e-12);
+    ASSERT_TRUE(mote4.f.range);
+    EXPECT_NEAR(mote4.f.range->high, -0.05, 1e-12) << "every scene fell by the same";
     EXPECT_NEAR(mote4.time_ratio.value_or(0), 0.5, 1e-12);
     EXPECT_TRUE(mote4.is_worse());
     EXPECT_TRUE(diff.is_worse());

@@ -35,6 +35,7 @@ Row random_setting(RandomValues& any, const Row& own, const std::string& params)
         row.n_pred = scores.n_pred;
         row.n_truth = scores.n_truth;
         row.false_negatives = scores.false_negatives;
+        row.soft = scores.soft;
     }
     fill_random_times(any, row);
     row.image_hash = any.text();
@@ -53,14 +54,14 @@ TEST(SweepTable, ReadsAndWritesTheSameBytes) {
         of.row.cell = of.cell;
     rows[0].row.params = "a=1;b=x;c=3";
     rows[1].row.params = "b=y;d=0.5";
-    const std::vector<std::string> swept = {"a", "b"};
     for (int trial = 0; trial < 50; ++trial) {
+        const SweepColumns swept{{"a", "b"}, trial % 2 == 1};
         const Row first = random_setting(any, rows[0].row, "a=2;b=x, y;c=3");
         const Row second = random_setting(any, rows[1].row, "b=z;d=0.5");
         const std::string lines =
             sweep_line(4, 1, swept, first) + sweep_line(9, trial + 1, swept, second);
         const core::CsvTable csv = file_of(sweep_table(swept), lines);
-        EXPECT_EQ(swept_parameters(csv), swept);
+        EXPECT_EQ(sweep_columns(csv).parameters, swept.parameters);
         const std::vector<Row> read = read_sweep(csv, RowIndex(rows));
         ASSERT_EQ(read.size(), 2U);
         EXPECT_EQ(read[0].params, first.params) << "its own c, the setting's a and b";
@@ -68,6 +69,7 @@ TEST(SweepTable, ReadsAndWritesTheSameBytes) {
         EXPECT_EQ(read[0].scene, rows[0].row.scene);
         EXPECT_EQ(read[0].triangles, rows[0].row.triangles);
         EXPECT_EQ(read[1].setting, trial + 1);
+        EXPECT_EQ(read[0].soft.has_value(), swept.has_ink && first.soft);
         EXPECT_EQ(sweep_line(4, 1, swept, read[0]) +
                       sweep_line(read[1].cell, read[1].setting, swept, read[1]),
                   lines);
@@ -76,11 +78,11 @@ TEST(SweepTable, ReadsAndWritesTheSameBytes) {
 
 TEST(SweepTable, RefusesUnknownCellsAndParametersCalledAsColumns) {
     const std::vector<RowRecord> rows = {{4, Study::compare, {}}};
-    const core::CsvTable csv = file_of(sweep_table({"a"}), sweep_line(5, 1, {"a"}, Row()));
+    const core::CsvTable csv = file_of(sweep_table({{"a"}}), sweep_line(5, 1, {{"a"}}, Row()));
     EXPECT_EQ(
         core::error_text([&] { return read_sweep(csv, RowIndex(rows)); }),
         "sweep.csv, line 2: column cell holds '5' (accepted: the number of a cell of rows.csv)");
-    EXPECT_THROW((void)sweep_table({"n_pred"}), core::Error);
+    EXPECT_THROW((void)sweep_table({{"n_pred"}}), core::Error);
     core::CsvTable short_one = csv;
     short_one.columns.pop_back();
     EXPECT_THROW((void)read_sweep(short_one, RowIndex(rows)), core::Error);

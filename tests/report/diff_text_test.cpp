@@ -16,10 +16,7 @@ experiment::MethodDiff changed_method() {
     method.cells = 12;
     method.changed_images = 11;
     method.changed_scores = 10;
-    method.f_a = 0.91;
-    method.f_b = 0.9;
-    method.difference = -0.01;
-    method.range = statistics::Interval{-0.012, -0.008};
+    method.f = {0.91, 0.9, -0.01, statistics::Interval{-0.012, -0.008}};
     method.time_ratio = 0.5;
     return method;
 }
@@ -42,6 +39,15 @@ TEST(DiffText, SaysWhatChangedAndCountsWhatDidNot) {
                       HasSubstr("threshold 20 -> 25; worse"),
                       HasSubstr("1 methods are the same"),
                       Not(HasSubstr("ids"))));
+}
+
+TEST(DiffText, HasSoftFWhereBothRunsHaveIt) {
+    experiment::RunDiff diff;
+    diff.methods = {changed_method()};
+    EXPECT_THAT(diff_text(diff), Not(HasSubstr("soft F")));
+    diff.methods[0].soft_f = {0.7, 0.75, 0.05, std::nullopt};
+    EXPECT_THAT(diff_text(diff),
+                AllOf(HasSubstr("soft F before"), HasSubstr(".750"), HasSubstr("+.050")));
 }
 
 TEST(DiffText, IsShortWhereNothingDiffers) {

@@ -95,7 +95,8 @@ TEST_F(RunPage, SaysWhatTheVerdictSaysAndHowRunsDiffer) {
             R"(draws is right, in 2.00 ms","rest":"Its F is 0.800; it is the only method.")"));
     EXPECT_THAT(page, HasSubstr(R"("summary.csv":{"lines":1,)")) << "which its folder lacks";
     EXPECT_THAT(
-        page, HasSubstr(R"("diffs":[[{},{"mote4":{"low":null,"high":null,"time_ratio":null}}],)"));
+        page,
+        HasSubstr(R"("diffs":[[{},{"mote4":{"f_2px":null,"soft_f":null,"time_ratio":null}}],)"));
 }
 
 TEST_F(RunPage, SaysWhatTheAnswerIsAndWhatToDoWithIt) {

@@ -58,7 +58,8 @@ TEST(AxisSummary, HasSoftFWhereGreyLinesAreScored) {
         row.row.soft = {.matched_px = row.row.scene == "a" ? 1.0 : 5.0, .missing_px = 8};
     const auto points = summarise_axes(rows);
     EXPECT_DOUBLE_EQ(points[2].soft->f().value(), 2 * 6.0 / (6 + 22));
-    EXPECT_THAT(axis_summary_csv(points), HasSubstr(",truth_px,soft_f,non_finite,"));
+    EXPECT_THAT(axis_summary_csv(points),
+                HasSubstr(",truth_px,soft_f,soft_lo,soft_hi,non_finite,"));
 }
 
 TEST(AxisSummary, SixCasesGiveAnInterval) {
@@ -69,6 +70,13 @@ TEST(AxisSummary, SixCasesGiveAnInterval) {
     ASSERT_TRUE(points.at(0).f_range);
     EXPECT_LT(points[0].f_range->low, 0.4);
     EXPECT_GT(points[0].f_range->high, 0.4);
+    EXPECT_FALSE(points[0].soft_range);
+    for (AxisRow& row : rows)
+        row.row.soft = {.matched_px = *row.row.f_2px, .missing_px = 1 - *row.row.f_2px};
+    const auto inked = summarise_axes(rows);
+    ASSERT_TRUE(inked.at(0).soft_range);
+    EXPECT_LT(inked[0].soft_range->low, *inked[0].soft->f());
+    EXPECT_GT(inked[0].soft_range->high, *inked[0].soft->f());
 }
 
 TEST(AxisSummary, ALostCellIsCountedAndNotScored) {

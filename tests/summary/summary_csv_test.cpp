@@ -88,6 +88,15 @@ TEST(KindsCsv, HasALinePerMethodAndKindAndIsEmptyWithoutKinds) {
               "a,vehicle,2,0.7,van,0.6\n"
               "a,foliage,1,0.5,oak,0.5\n");
     EXPECT_EQ(line_of(csv_of({car, van, oak}), 1).at("f_kinds"), "0.6");
+    car.soft = {.matched_px = 3, .missing_px = 2};
+    van.soft = {.matched_px = 1, .missing_px = 6};
+    oak.soft = {.matched_px = 1};
+    EXPECT_EQ(kinds_csv(summarise({car, van, oak})),
+              "method,scene_kind,scenes,f_2px,least_scene,f_least,soft_f,soft_least_scene,"
+              "soft_least\n"
+              "a,vehicle,2,0.7,van,0.6,0.5,van,0.25\n"
+              "a,foliage,1,0.5,oak,0.5,1,oak,1\n");
+    EXPECT_EQ(line_of(csv_of({car, van, oak}), 1).at("soft_kinds"), "0.75");
 }
 
 TEST(SummaryCsv, PoolsTheRowsOfAMethod) {

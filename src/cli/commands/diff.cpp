@@ -33,22 +33,32 @@ nlohmann::json cells_json(const std::vector<const harness::Row*>& rows) {
     });
 }
 
+/// "f_before", "f_after", and as `prefix` has it "difference", "lo" and "hi".
+void add_f(const experiment::FDiff& f,
+           const std::string& name,
+           const std::string& prefix,
+           nlohmann::json& json) {
+    json[name + "_before"] = or_null(f.before);
+    json[name + "_after"] = or_null(f.after);
+    json[prefix + "difference"] = or_null(f.difference);
+    json[prefix + "lo"] = f.range ? nlohmann::json(f.range->low) : nlohmann::json(nullptr);
+    json[prefix + "hi"] = f.range ? nlohmann::json(f.range->high) : nlohmann::json(nullptr);
+}
+
 nlohmann::json diff_json(const experiment::RunDiff& diff) {
-    const auto method_json = [](const experiment::MethodDiff& method) -> nlohmann::json {
-        return {{"method", method.method},
-                {"settings", method.settings},
-                {"cells", method.cells},
-                {"changed_images", method.changed_images},
-                {"changed_scores", method.changed_scores},
-                {"lost", method.lost},
-                {"won", method.won},
-                {"f_before", or_null(method.f_a)},
-                {"f_after", or_null(method.f_b)},
-                {"difference", or_null(method.difference)},
-                {"lo", method.range ? nlohmann::json(method.range->low) : nlohmann::json(nullptr)},
-                {"hi", method.range ? nlohmann::json(method.range->high) : nlohmann::json(nullptr)},
-                {"time_ratio", or_null(method.time_ratio)},
-                {"worse", method.is_worse()}};
+    const auto method_json = [](const experiment::MethodDiff& method) {
+        nlohmann::json json{{"method", method.method},
+                            {"settings", method.settings},
+                            {"cells", method.cells},
+                            {"changed_images", method.changed_images},
+                            {"changed_scores", method.changed_scores},
+                            {"lost", method.lost},
+                            {"won", method.won},
+                            {"time_ratio", or_null(method.time_ratio)},
+                            {"worse", method.is_worse()}};
+        add_f(method.f, "f", "", json);
+        if (method.soft_f.before) add_f(method.soft_f, "soft_f", "soft_", json);
+        return json;
     };
     const auto change_json = [](const experiment::AskedChange& change) -> nlohmann::json {
         return {{"key", change.key}, {"before", change.a}, {"after", change.b}};
@@ -82,7 +92,7 @@ void add_diff_command(CLI::App& app) {
     rows.text("before", args->before, "DIR", "Folder of a run")->required();
     rows.text("after", args->after, "DIR", "Folder of the run to compare with it")->required();
     rows.flag("--fail-if-worse", args->fail_if_worse,
-              "Exit with 1 if a method's F fell (its 95 % interval below 0), or a scored cell has "
+              "Exit with 1 if a method's F or soft F fell (its 95 % interval below 0), or a scored cell has "
               "no score or is gone");
     rows.flag("--json", args->is_json, "Print the result as JSON");
     // clang-format on

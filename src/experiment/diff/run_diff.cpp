@@ -96,20 +96,27 @@ std::string times_obstacle(const std::vector<summary::RowPair>& pairs) {
     return "";
 }
 
-bool has_other_counts(const Row& a, const Row& b) {
-    return a.k_2px != b.k_2px || a.n_pred != b.n_pred || a.n_truth != b.n_truth;
+bool have_ink(const summary::RowPair& pair) {
+    return pair.a->soft && pair.b->soft;
+}
+
+bool has_other_counts(const summary::RowPair& pair) {
+    const auto differ = [&](summary::Measure measure) {
+        return summary::counts_of(*pair.a, measure) != summary::counts_of(*pair.b, measure);
+    };
+    return differ(summary::Measure::f_2px) || (have_ink(pair) && differ(summary::Measure::soft_f));
 }
 
 /// F of both runs and the interval of their difference, scenes resampled for both together.
-void compare_scores(const std::vector<summary::RowPair>& pairs,
-                    std::uint64_t seed,
-                    MethodDiff& diff) {
-    const summary::PairedScenes scenes = summary::paired_scenes(pairs, summary::Measure::f_2px);
-    if (scenes.is_empty()) return;
-    diff.f_a = scenes.f_a();
-    diff.f_b = scenes.f_b();
-    diff.difference = *diff.f_b - *diff.f_a;
-    diff.range = statistics::paired_interval(scenes.b, scenes.a, {.seed = seed});
+FDiff compare_scores(const std::vector<summary::RowPair>& pairs,
+                     summary::Measure measure,
+                     std::uint64_t seed) {
+    const summary::PairedScenes scenes = summary::paired_scenes(pairs, measure);
+    if (scenes.is_empty()) return {};
+    return {scenes.f_a(),
+            scenes.f_b(),
+            scenes.f_b() - scenes.f_a(),
+            statistics::paired_interval(scenes.b, scenes.a, {.seed = seed})};
 }
 
 std::optional<double> time_ratio(const std::vector<summary::RowPair>& pairs) {
@@ -138,9 +145,12 @@ MethodDiff diff_of(const std::vector<summary::RowPair>& pairs,
         diff.lost += pair.a->is_scored() && !pair.b->is_scored() ? 1 : 0;
         diff.won += !pair.a->is_scored() && pair.b->is_scored() ? 1 : 0;
         const bool are_scored = pair.a->is_scored() && pair.b->is_scored();
-        diff.changed_scores += are_scored && has_other_counts(*pair.a, *pair.b) ? 1 : 0;
+        diff.changed_scores += are_scored && has_other_counts(pair) ? 1 : 0;
     }
-    compare_scores(pairs, seed, diff);
+    diff.f = compare_scores(pairs, summary::Measure::f_2px, seed);
+    std::vector<summary::RowPair> inked;
+    std::ranges::copy_if(pairs, std::back_inserter(inked), have_ink);
+    diff.soft_f = compare_scores(inked, summary::Measure::soft_f, seed);
     if (times_compare) diff.time_ratio = time_ratio(pairs);
     return diff;
 }
@@ -158,7 +168,9 @@ int count_changed_truths(const std::vector<summary::RowPair>& pairs) {
 bool comes_before(const MethodDiff& a, const MethodDiff& b) {
     const auto rank = [](const MethodDiff& diff) {
         const int kind = diff.changed_images > 0 ? 0 : diff.is_same() ? 2 : 1;
-        return std::pair(kind, -std::abs(diff.difference.value_or(0)));
+        return std::pair(kind,
+                         -std::max(std::abs(diff.f.difference.value_or(0)),
+                                   std::abs(diff.soft_f.difference.value_or(0))));
     };
     return rank(a) < rank(b);
 }
@@ -184,8 +196,7 @@ std::string changed_parameters(const std::string& a, const std::string& b) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-bool MethodDiff::is_worse() const {
-    if (lost > 0) return true;
+bool FDiff::is_worse() const {
     if (!difference || *difference >= 0) return false;
     return !range || range->high < 0;
 }

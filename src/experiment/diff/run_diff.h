@@ -29,19 +29,29 @@ struct CellPairs {
 /// by ", ", in alphabetical order; "" if none does. A side that lacks the key has "-".
 [[nodiscard]] std::string changed_parameters(const std::string& a, const std::string& b);
 
+/// An F of two runs, pooled over the cells that both scored.
+struct FDiff {
+    std::optional<double> before = {};
+    std::optional<double> after = {};
+    std::optional<double> difference = {};           ///< after less before
+    std::optional<statistics::Interval> range = {};  ///< of that; 95 %, paired cluster bootstrap
+
+    /// Whether it fell by more than the choice of scenes explains (by anything where fewer than six
+    /// scenes give no interval).
+    [[nodiscard]] bool is_worse() const;
+};
+
 /// What changed of one method between two runs, over the cells that both have.
 struct MethodDiff {
     std::string method;
     std::string settings;  ///< parameters that were asked differently, "threshold 20 -> 25"; or ""
     int cells = 0;         ///< that both runs have
-    int changed_images = 0;                 ///< of those, whose image has another hash
-    int changed_scores = 0;                 ///< of those, whose counts at 2 px differ
-    int lost = 0;                           ///< of those, scored in the first run alone
-    int won = 0;                            ///< of those, scored in the second run alone
-    std::optional<double> f_a = {};         ///< at 2 px, pooled over the cells that both scored
-    std::optional<double> f_b = {};         ///< the same of the second run
-    std::optional<double> difference = {};  ///< f_b less f_a
-    std::optional<statistics::Interval> range = {};  ///< of that; 95 %, paired cluster bootstrap
+    int changed_images = 0;  ///< of those, whose image has another hash
+    int changed_scores = 0;  ///< of those, whose counts at 2 px, or of ink, differ
+    int lost = 0;            ///< of those, scored in the first run alone
+    int won = 0;             ///< of those, scored in the second run alone
+    FDiff f = {};            ///< at 2 px
+    FDiff soft_f = {};       ///< over the cells of which both runs have it
     /// Drawing times, second over first: geometric mean over cells; nothing where they do not
     /// compare.
     std::optional<double> time_ratio = {};
@@ -49,9 +59,8 @@ struct MethodDiff {
     [[nodiscard]] bool is_same() const {
         return settings.empty() && changed_images + changed_scores + lost + won == 0;
     }
-    /// Whether the second run is worse: a score is lost, or F fell by more than the choice of
-    /// scenes explains (by anything where fewer than six scenes give no interval).
-    [[nodiscard]] bool is_worse() const;
+    /// Whether the second run is worse: a score is lost, or an F is worse.
+    [[nodiscard]] bool is_worse() const { return lost > 0 || f.is_worse() || soft_f.is_worse(); }
 };
 
 /// A value of what was asked, in two runs; "-" where a run has none.

@@ -9,7 +9,6 @@
 #include "harness/images/view_images.h"
 #include "harness/rows/cost_tables.h"
 #include "harness/rows/score_tables.h"
-#include "harness/rows/sweep_table.h"
 #include "linear_code/cancellation_study.h"
 
 namespace ink::experiment {
@@ -98,7 +97,7 @@ void explain(ViewBench& bench,
 
 BlockResult run_methods(ViewBench& bench,
                         const BlockPlace& at,
-                        const std::vector<std::string>& swept) {
+                        const harness::SweepColumns& swept) {
     const scene::Scene& scene = bench.scenes()[at.scene];
     const bool is_full = bench.experiment().compare.full_scores;
     harness::CellOptions options = bench.cell_options(at.threads);
@@ -147,7 +146,7 @@ BlockResult run_methods(ViewBench& bench,
 BlockResult run_settings(ViewBench& bench,
                          const BlockPlace& at,
                          const SettingsPart& part,
-                         const std::vector<std::string>& swept) {
+                         const harness::SweepColumns& swept) {
     harness::CellOptions options = bench.cell_options(at.threads);
     options.measure = harness::sweep_measure(options.measure, bench.scenes().size());
     options.scores = harness::Scores::settings;

@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "experiment/experiment_plan.h"
 #include "experiment/view_bench.h"
+#include "harness/rows/sweep_table.h"
 
 namespace ink::experiment {
 
@@ -33,12 +33,12 @@ struct SettingsPart {
 /// the lines of sweep.csv that say the same. `swept` are its parameters' columns.
 [[nodiscard]] BlockResult run_methods(ViewBench& bench,
                                       const BlockPlace& at,
-                                      const std::vector<std::string>& swept = {});
+                                      const harness::SweepColumns& swept = {});
 
 /// Other settings of one method: lines of sweep.csv, without baselines.
 [[nodiscard]] BlockResult run_settings(ViewBench& bench,
                                        const BlockPlace& at,
                                        const SettingsPart& part,
-                                       const std::vector<std::string>& swept);
+                                       const harness::SweepColumns& swept);
 
 }  // namespace ink::experiment

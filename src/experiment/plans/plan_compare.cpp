@@ -12,7 +12,6 @@
 #include "harness/cells/sweep.h"
 #include "harness/rows/cost_tables.h"
 #include "harness/rows/score_tables.h"
-#include "harness/rows/sweep_table.h"
 #include "linear_code/cancellation_study.h"
 #include "studies/scaling_axes.h"
 
@@ -121,7 +120,7 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    std::size_t method,
                    std::size_t first,
                    const std::vector<method::MethodConfig>& settings,
-                   const std::vector<std::string>& swept,
+                   const harness::SweepColumns& swept,
                    Plan& plan) {
     if (settings.empty()) return;
     const std::string& name = settings.front().info->name;
@@ -147,7 +146,7 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
     }
 }
 
-void add_tables(const ViewBench& bench, const std::vector<std::string>& swept, Plan& plan) {
+void add_tables(const ViewBench& bench, const harness::SweepColumns& swept, Plan& plan) {
     plan.add_table(harness::rows_table());
     plan.add_table(harness::cost_table());
     if (bench.experiment().compare.full_scores) {
@@ -156,14 +155,14 @@ void add_tables(const ViewBench& bench, const std::vector<std::string>& swept, P
         plan.add_table(harness::bins_table());
         plan.add_table(linear_code::cancellation_table());
     }
-    if (!swept.empty()) plan.add_table(harness::sweep_table(swept));
+    if (!swept.parameters.empty()) plan.add_table(harness::sweep_table(swept));
 }
 
 /// All blocks of one view: the methods, then the settings of each.
 void plan_view(const std::shared_ptr<ViewBench>& bench,
                BlockPlace at,
                std::size_t nth_view,
-               const std::vector<std::string>& swept,
+               const harness::SweepColumns& swept,
                Plan& plan) {
     const int cells = static_cast<int>(bench->configs().size()) + harness::kBaselines;
     std::vector<std::vector<method::MethodConfig>> others;
@@ -201,7 +200,8 @@ Experiment motion_beside(Experiment experiment) {
 
 void plan_compare(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     const auto bench = std::make_shared<ViewBench>(experiment, trace);
-    const std::vector<std::string> swept = parameters_swept(*bench);
+    const harness::SweepColumns swept{.parameters = parameters_swept(*bench),
+                                      .has_ink = scored_width_px(bench->experiment()).has_value()};
     add_tables(*bench, swept, plan);
     for (const scene::Scene& scene : bench->scenes())
         plan.add_model(scene);

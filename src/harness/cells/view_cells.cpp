@@ -123,8 +123,7 @@ void finish_evaluations(const scene::Scene& scene,
     } else {
         score_briefly(traced.truth, evaluations);
     }
-    if (options.line_width_px && options.scores != Scores::settings)
-        score_grey_lines(traced.truth, *options.line_width_px, evaluations);
+    if (options.line_width_px) score_grey_lines(traced.truth, *options.line_width_px, evaluations);
     if (options.scores_crowded && emptiness(traced.truth).empty()) return;
     note_crowded(traced.truth, evaluations);
 }

@@ -53,16 +53,17 @@ void add_parameter(SettingTable& table, const std::string& key) {
         });
 }
 
-SettingTable make_table(const std::vector<std::string>& swept) {
+SettingTable make_table(const SweepColumns& swept) {
     SettingTable table{std::string(kFile), kDoc};
     table.add({"cell", "", "of rows.csv: this method at its own settings on this view"},
               &SettingRow::cell);
     table.add({"setting", "", "counted from 1 within the cell"}, &SettingRow::number);
     table.add_like(rows_table(), "status");
-    for (const std::string& key : swept)
+    for (const std::string& key : swept.parameters)
         add_parameter(table, key);
     for (const char* name : kNumbers)
         table.add_like(rows_table(), name);
+    if (swept.has_ink) add_ink_columns(table.part(&SettingRow::row).part(&Row::soft));
     for (const core::Column& column : cost_table().info().columns)
         if (column.name != "cell") table.add_like(cost_table(), column.name);
     std::set<std::string> names;
@@ -91,28 +92,25 @@ Row place_of_setting(const Row& own) {
 
 }  // namespace
 
-core::TableInfo sweep_table(const std::vector<std::string>& swept) {
+core::TableInfo sweep_table(const SweepColumns& swept) {
     return make_table(swept).info();
 }
 
-std::string sweep_line(std::int64_t cell,
-                       int setting,
-                       const std::vector<std::string>& swept,
-                       const Row& row) {
+std::string sweep_line(std::int64_t cell, int setting, const SweepColumns& swept, const Row& row) {
     return make_table(swept).line({{cell, Study::compare, row}, setting});
 }
 
-std::vector<std::string> swept_parameters(const core::CsvTable& csv) {
+SweepColumns sweep_columns(const core::CsvTable& csv) {
     const std::size_t first = csv.find("status") + 1;
     const std::size_t end = csv.find(kNumbers[0]);
-    std::vector<std::string> swept;
+    SweepColumns swept{.has_ink = csv.find("soft_f") < csv.columns.size()};
     for (std::size_t i = first; i < end && i < csv.columns.size(); ++i)
-        swept.push_back(core::unquoted(csv.columns[i]));
+        swept.parameters.push_back(core::unquoted(csv.columns[i]));
     return swept;
 }
 
 std::vector<Row> read_sweep(const core::CsvTable& csv, const RowIndex& own) {
-    const SettingTable table = make_table(swept_parameters(csv));
+    const SettingTable table = make_table(sweep_columns(csv));
     core::check_columns(csv, table.info());
     std::vector<Row> rows;
     for (std::size_t i = 0; i < csv.records.size(); ++i) {

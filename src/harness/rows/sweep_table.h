@@ -9,20 +9,26 @@
 
 namespace ink::harness {
 
+/// The columns of sweep.csv that not every run has.
+struct SweepColumns {
+    std::vector<std::string> parameters;
+    bool has_ink = false;  ///< soft F, and the ink that it is made of
+};
+
 /// The columns of sweep.csv: cell (of the same method at its own settings on the same view),
 /// setting, status, one per parameter of `swept`, then counts, scores, times and cost. Throws
 /// core::Error if a parameter is called as another column is.
-[[nodiscard]] core::TableInfo sweep_table(const std::vector<std::string>& swept);
+[[nodiscard]] core::TableInfo sweep_table(const SweepColumns& swept);
 
 /// The line of one setting, ended; `setting` counts from 1 within the cell. The fields of `swept`
 /// are taken from the row's params, empty where the method has no such parameter.
 [[nodiscard]] std::string sweep_line(std::int64_t cell,
                                      int setting,
-                                     const std::vector<std::string>& swept,
+                                     const SweepColumns& swept,
                                      const Row& row);
 
-/// The parameters that a sweep.csv has columns of.
-[[nodiscard]] std::vector<std::string> swept_parameters(const core::CsvTable& csv);
+/// Those that a sweep.csv has.
+[[nodiscard]] SweepColumns sweep_columns(const core::CsvTable& csv);
 
 /// The settings of sweep.csv, in order: each as the row of its cell, but for `setting`, params,
 /// status, and what else sweep.csv holds; what could change with the settings and is no column of

@@ -40,26 +40,36 @@ std::string cells_line(const std::vector<const harness::Row*>& rows, const std::
     return fmt::format("{} {}: {}\n", rows.size(), what, methods);
 }
 
-std::string difference_of(const MethodDiff& method) {
-    if (!method.difference) return "-";
-    if (method.changed_scores == 0) return "0";
-    return summary::format_paired_difference(
-        {method.method, method.method, *method.difference, method.range});
+/// F before and after, and their difference.
+void add_f(const MethodDiff& method, const experiment::FDiff& f, std::vector<std::string>& line) {
+    line.push_back(core::format_share(f.before));
+    line.push_back(core::format_share(f.after));
+    if (f.difference && method.changed_scores > 0) {
+        line.push_back(summary::format_paired_difference(
+            {method.method, method.method, *f.difference, f.range}));
+    } else {
+        line.emplace_back(f.difference ? "0" : "-");
+    }
 }
 
 /// A line for every method that changed; of all methods if only times are to be seen.
 core::Cells cells_of(const RunDiff& diff, bool with_times) {
+    const bool has_ink = std::ranges::any_of(
+        diff.methods, [](const MethodDiff& method) { return method.soft_f.before.has_value(); });
     core::Cells cells{{"method", "cells", "images changed", "F before", "F after", "difference"}};
+    if (has_ink) {
+        for (const char* title : {"soft F before", "soft F after", "difference"})
+            cells[0].emplace_back(title);
+    }
     if (with_times) cells[0].emplace_back("time");
     cells[0].emplace_back("settings, status");
     for (const MethodDiff& method : diff.methods) {
         if (method.is_same()) continue;
         std::vector<std::string> line{method.method,
                                       fmt::format("{}", method.cells),
-                                      fmt::format("{}", method.changed_images),
-                                      core::format_share(method.f_a),
-                                      core::format_share(method.f_b),
-                                      difference_of(method)};
+                                      fmt::format("{}", method.changed_images)};
+        add_f(method, method.f, line);
+        if (has_ink) add_f(method, method.soft_f, line);
         if (with_times) {
             line.push_back(method.time_ratio ? fmt::format("x {:.2f}", *method.time_ratio) : "-");
         }

@@ -77,7 +77,8 @@ function axesOf(view) {
     }).filter(axis => axis.curves.length > 0);
     const share = f => (isNumber(f) ? 1 - f : null);
     const errors = state.get('axes.soft') && hasSoftAxes(view)
-        ? [AXIS_MEASURES.soft, line => ({line, value: line.value, y: share(line.soft_f)})]
+        ? [AXIS_MEASURES.soft, line => ({
+            line, value: line.value, y: share(line.soft_f), low: share(line.soft_hi), high: share(line.soft_lo)})]
         : [AXIS_MEASURES.error, line => ({
             line, value: line.value, y: share(line.f), low: share(line.f_hi), high: share(line.f_lo)})];
     return [
@@ -218,8 +219,7 @@ function oneAxis(root, axes) {
     makeTable(root, {
         name: `axis-${axis.name}`, lines: axis.curves, lineClass: baselineClass,
         caption: isTime ? 'Least time of a frame.'
-            : axis.measure === AXIS_MEASURES.soft ? 'Error 1 − soft F.'
-                : 'Error 1 − F at 2 px, with its interval where several scenes were drawn.',
+            : `Error 1 − ${axis.measure === AXIS_MEASURES.soft ? 'soft F' : 'F at 2 px'}, with its interval where several scenes were drawn.`,
         columns: [infoColumn(), ...values.map((value, i) => ({
             key: `at_${i}`, title: axisValue(axis, value), best: 'low',
             value: curve => pointAt(curve, value).y ?? null, text: curve => axis.measure.format(pointAt(curve, value).y),

@@ -57,11 +57,10 @@ function runLines(ofA, ofB, measure) {
         const tagged = (differing.length ? differing : both).map(row => Object.assign(Object.create(row), {run: ofB.run.index}));
         const diff = diffs[first.method];
         const difference = pairedDifference(second.rows, first.rows, measure);
-        const hasRange = measure === 'f_2px' && isNumber(diff?.low);
         return {
             method: first.method, info: second.info, rows: tagged, isSame: differing.length === 0, differing: differing.length,
             first: first.value, second: second.value, firstMs: first.ms, secondMs: second.ms, timeRatio: diff?.time_ratio ?? null,
-            difference: difference && {...difference, range: hasRange ? {low: diff.low, high: diff.high} : null},
+            difference: difference && {...difference, range: diff?.[measure] ?? null},
         };
     }).filter(Boolean).sort((a, b) => a.isSame - b.isSame ||
         Math.abs(b.difference ? b.difference.value : 0) - Math.abs(a.difference ? a.difference.value : 0));

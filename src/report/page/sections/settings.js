@@ -7,37 +7,44 @@ state.define('settings.log', false);
 addSection({
     id: 'settings',
     title: 'Settings',
-    intro: 'Every method was drawn with several settings of its parameters. Here are the best of them, and how F ' +
+    intro: 'Every method was drawn with several settings of its parameters. Here are the best of them, and how the measure ' +
         'and time change with one parameter.',
     isThere: view => sweptMethods(view).length > 0,
     uses: ['settings.*', 'sort.settings*'],
     draw(root, view) {
         const methods = sweptMethods(view);
-        settingsTable(root, methods);
-        settingsCharts(root, methods);
+        const {title} = MEASURES[settingsMeasure(view)];
+        settingsTable(root, methods, title);
+        settingsCharts(root, methods, title);
     },
 });
+
+/// What settings are told apart by: soft F if it is chosen and was scored of them, else F.
+function settingsMeasure(view) {
+    return view.measure === 'soft_f' && view.run.table('sweep.csv').has('soft_f') ? 'soft_f' : 'f_2px';
+}
 
 /// Swept methods: {name, info, params: those that vary, settings: [{values, f, ms, views, rows}], own}.
 function sweptMethods(view) {
     const lines = view.run.joined('sweep.csv').filter(line => view.isMethodShown(line.method) && isSceneShown(line) &&
         line.status === 'ok');
     const names = sweptParams(view.run);
+    const measure = settingsMeasure(view);
     return byMethod(view.run, lines).filter(method => !method.isBaseline).map(method => {
         const groups = [...groupBy(method.lines, line => settingKey(view.run, line)).values()];
         const values = name => distinct(groups, ([line]) => line[name]).length;
         const params = names.filter(name => values(name) > 1).sort((a, b) => values(b) - values(a));
-        const settings = groups.map(lines => sweptSetting(method, params, lines)).filter(setting => setting.f !== null);
+        const settings = groups.map(lines => sweptSetting(method, params, lines, measure)).filter(setting => setting.f !== null);
         return {...method, params, settings, own: settings.find(setting => setting.isOwn) || null};
     }).filter(method => method.settings.length > 1);
 }
 
-function sweptSetting(method, params, lines) {
+function sweptSetting(method, params, lines, measure) {
     const values = Object.fromEntries(params.map(name => [name, lines[0][name]]));
     const scored = lines.filter(line => isNumber(line.k_2px));
     return {
         values, lines,
-        f: scored.length ? fOf(sumOf(scored, 'k_2px'), sumOf(scored, 'n_pred'), sumOf(scored, 'n_truth')) : null,
+        f: pooled(scored, measure),
         ms: medianOf(lines.map(line => (isNumber(line.draw_ns) ? line.draw_ns * 1e-6 : null))),
         isOwn: params.every(name => isSameValue(method.info.params[name], values[name])),
         words: changedParams(method.info, params, values) || 'its own setting',
@@ -48,14 +55,14 @@ function bestSetting(settings) {
     return settings.reduce((a, b) => (b.f > a.f || (b.f === a.f && b.ms < a.ms) ? b : a));
 }
 
-function settingsTable(root, methods) {
+function settingsTable(root, methods, title) {
     const lines = methods.map(method => ({...method, best: bestSetting(method.settings)}));
     makeTable(root, {
         name: 'settings', lines, order: 'f_best.down',
         columns: [
             infoColumn(), {key: 'settings', title: 'settings', value: line => line.settings.length},
-            shareColumn('f_own', 'F, own setting', line => (line.own ? line.own.f : null)),
-            shareColumn('f_best', 'F, best setting', line => line.best.f),
+            shareColumn('f_own', `${title}, own setting`, line => (line.own ? line.own.f : null)),
+            shareColumn('f_best', `${title}, best setting`, line => line.best.f),
             {key: 'gain', title: 'gain', value: line => (line.own ? line.best.f - line.own.f : null),
                 text: line => formatSigned(line.own ? line.best.f - line.own.f : null)},
             {key: 'ms', title: 'its ms', value: line => line.best.ms, text: line => formatMs(line.best.ms),
@@ -66,7 +73,7 @@ function settingsTable(root, methods) {
     });
 }
 
-function settingsCharts(root, methods) {
+function settingsCharts(root, methods, title) {
     const withParams = methods.filter(method => method.params.length);
     if (withParams.length === 0) return;
     const method = withParams.find(m => m.name === state.get('settings.method')) || withParams[0];
@@ -83,8 +90,8 @@ function settingsCharts(root, methods) {
             'ring marks the method’s own setting.'));
     const grid = chartGrid();
     root.append(grid);
-    settingsChart(grid, method, param, {id: 'f', title: `F over ${param}`, unit: 'F at 2 px',
-        value: setting => setting.f, best: d3.max, text: f => `F ${formatShare(f)}`});
+    settingsChart(grid, method, param, {id: 'f', title: `${title} over ${param}`, unit: title,
+        value: setting => setting.f, best: d3.max, text: f => `${title} ${formatShare(f)}`});
     settingsChart(grid, method, param, {id: 'ms', title: `Time over ${param}`, unit: 'median frame, ms',
         value: setting => setting.ms, best: d3.min, text: ms => `${formatMs(ms)} ms`});
 }
@@ -119,7 +126,7 @@ function settingsChart(grid, method, param, {id, title, unit, value, best, text}
                     .style('stroke', 'var(--ink)').style('stroke-width', 1.6);
             answerNearest(area.plot, layer, spots, area.width, area.height);
         },
-        csv: () => [[...method.params, 'f_2px', 'draw_ms'],
+        csv: () => [[...method.params, 'f', 'draw_ms'],
             ...shown.map(setting => [...method.params.map(name => setting.values[name]), setting.f, setting.ms])],
     });
 }
