@@ -52,7 +52,7 @@ std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
             }
     };
     const auto heights = codes.heights(codes.object_lengths(object_length_px(setup)));
-    const SeenSquares squares = seen_squares(codes, crease_deg, poses, views, each_pose);
+    const SeenSquares squares = seen_squares(codes, crease_deg, {poses, views}, each_pose);
     return codes.codes_of(
         repaired_heights(codes.mesh(), codes.range(), squares, heights, kRepairMoves));
 }

@@ -146,17 +146,16 @@ class SquareViews : public LookupMethod {
 
 SeenSquares seen_squares(const SurfaceCodes& codes,
                          double crease_deg,
-                         std::size_t pose_count,
-                         int views,
+                         const RandomViews& from,
                          const EachPose& each_pose) {
     SquareViews drawing(codes, crease_deg);
-    std::mt19937 random(7);
+    std::mt19937 random(from.seed);
     std::size_t pose = 0;
     each_pose([&](const scene::PreparedScene& scene) {
         if (pose == 0) drawing.prepare(scene);
         drawing.pose(scene);
-        const std::size_t most = kMostSquares / pose_count * ++pose;
-        for (int i = 0; i < views; ++i)
+        const std::size_t most = kMostSquares / from.poses * ++pose;
+        for (int i = 0; i < from.views; ++i)
             drawing.add(random_view(scene.bounds(), random), most);
     });
     return drawing.take();

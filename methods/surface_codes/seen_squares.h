@@ -28,20 +28,26 @@ struct SeenSquares {
     std::vector<float> weights;
 };
 
+/// From where a scene is looked at.
+struct RandomViews {
+    std::size_t poses = 1;
+    int views = 1;  ///< of each pose
+    std::uint32_t seed = 7;
+};
+
 /// Calls its argument with a scene in pose after pose.
 using EachPose = std::function<void(const std::function<void(const scene::PreparedScene&)>&)>;
 
-/// The squares of `views` random views of each of `pose_count` poses, all of the scene that `codes`
-/// was prepared with; lines are those that the mesh tells (LookupMethod). Left out is what codes
-/// cannot change, or are not to learn: where sky is seen, or only faces that go smoothly over into
-/// each other; and pixels without a line that lie beside one.
+/// The squares of random views of poses, all of the scene that `codes` was prepared with; lines are
+/// those that the mesh tells (LookupMethod). Left out is what codes cannot change, or are not to
+/// learn: where sky is seen, or only faces that go smoothly over into each other; and pixels
+/// without a line that lie beside one.
 ///
 /// Seeded: the same on every machine. Where squares grow too many for memory, those of each pose
 /// that come first.
 [[nodiscard]] SeenSquares seen_squares(const SurfaceCodes& codes,
                                        double crease_deg,
-                                       std::size_t pose_count,
-                                       int views,
+                                       const RandomViews& from,
                                        const EachPose& each_pose);
 
 }  // namespace ink::methods

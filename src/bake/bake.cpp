@@ -33,6 +33,7 @@ Mark wanted_mark(const BakeOptions& options,
         mark.codes = {{"method", name(*options.codes)}, {"crease_deg", options.crease_deg}};
         if (options.texcoord > 0)
             mark.codes["channel"] = fmt::format("texcoord{}", options.texcoord);
+        if (options.repair) mark.codes["repaired"] = true;
         if (!options.motions.empty()) mark.codes["animation"] = options.animation;
     } else if (before) {
         mark.codes = before->codes;
@@ -57,6 +58,7 @@ BakeOptions options_of(const Mark& mark) {
                 "extras", "extras.inkbench has codes of an unknown method", "surface8, label8");
         const Json channel = mark.codes.value("channel", Json());
         options.texcoord = channel == "texcoord1" ? 1 : channel == "texcoord2" ? 2 : 0;
+        options.repair = mark.codes.value("repaired", false);
     }
     options.edges = !mark.edges.is_null();
     return options;
@@ -150,9 +152,9 @@ class Baking {
                     bool is_again) {
         if (const std::size_t views = edit_.unpack_views())
             say("{} of meshopt {} unpacked", views, views == 1 ? "is" : "are");
-        const auto codes = motions.empty()
-                               ? methods::baked_codes(prepared_, *options.codes, crease_deg)
-                               : methods::repaired_codes(prepared_, crease_deg, motions);
+        const auto codes = options.repair
+                               ? methods::repaired_codes(prepared_, crease_deg, motions)
+                               : methods::baked_codes(prepared_, *options.codes, crease_deg);
         const CodeCounts counts = add_codes(
             edit_, primitives_.list, codes, {.texcoord = options.texcoord, .is_again = is_again});
         std::size_t triangles = 0;
@@ -165,8 +167,10 @@ class Baking {
             counted(triangles, "triangle", "triangles"),
             counted(counts.added, "vertex is added", "vertices are added"),
             counts.vertices);
-        if (!motions.empty())
-            say("they are repaired for {}", counted(motions.size(), "animation", "animations"));
+        if (options.repair)
+            say("they are repaired by views of the model{}",
+                motions.empty() ? ""
+                                : " and of " + counted(motions.size(), "animation", "animations"));
         if (counts.unstripped > 0)
             say("{} became plain triangles",
                 counted(counts.unstripped, "strip or fan", "strips or fans"));

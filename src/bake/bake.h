@@ -19,8 +19,9 @@ struct BakeOptions {
     /// Which pose of a model that moves stands in its scene, "at rest" or "at 1.5 s": what the file
     /// is to say of it. Empty: it does not move.
     std::string pose{};
-    /// The same scene with an animation each, for whose poses codes of surface8 are repaired, too,
-    /// and what the file is to say of them: "walk", "all".
+    bool repair = false;  ///< codes are surface8's, and repaired by views of the model
+    /// The same scene with an animation each, of whose poses they are, too; and what the file is to
+    /// say of these: "walk", "all".
     std::vector<scene::Scene> motions{};
     std::string animation{};
 };

@@ -13,8 +13,8 @@ struct Mark {
     std::string version;  ///< of the program
     std::string mesh;     ///< mesh_hash
     std::string pose;     ///< BakeOptions::pose
-    Json codes;           ///< {"method", "crease_deg"[, "channel"][, "animation"]}; null: none
-    Json edges;           ///< {"crease_deg"}; null: none
+    Json codes;  ///< {"method", "crease_deg"[, "channel"][, "repaired"][, "animation"]}; null: none
+    Json edges;  ///< {"crease_deg"}; null: none
 
     [[nodiscard]] bool operator==(const Mark&) const = default;
 };

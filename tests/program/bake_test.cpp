@@ -101,6 +101,12 @@ TEST(BakeProgram, CodesOfAnAnimationSaySo) {
     EXPECT_EQ(baked("a.gltf", " --codes label8 --animation fly"),
               baked("a.gltf", " --codes label8"));
 
+    const std::string repaired = baked("a.gltf", " --repair");
+    EXPECT_EQ(baked("a.gltf", " --repair"), repaired);
+    EXPECT_EQ(Json::parse(repaired)["asset"]["extras"]["inkbench"]["codes"]["repaired"], true);
+    EXPECT_EQ(animation(repaired), "");
+    expect_refused(desk, "bake a.gltf -o b.gltf --repair --edges", {"--repair", "surface8"});
+
     // Edges are added, but codes of an animation are not made anew without it.
     desk.write("fly.gltf", fly);
     EXPECT_EQ(animation(baked("fly.gltf", " --edges")), "fly");

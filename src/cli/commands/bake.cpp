@@ -93,7 +93,11 @@ void run_bake(const BakeArgs& args) {
     const bool has_all = args.animation == kAllAnimations;
     import::ImportedModel model =
         import::import_model(args.model, {.animation = has_all ? "" : args.animation});
-    if (options.codes == methods::BakedMethod::surface8) options.motions = motions_of(args, model);
+    const bool has_steps = options.codes == methods::BakedMethod::surface8;
+    if (options.repair && !has_steps)
+        throw core::Error("--repair", "these are no codes that can be repaired", "surface8");
+    if (has_steps) options.motions = motions_of(args, model);
+    options.repair |= !options.motions.empty();
     options.animation = args.animation;
     if (has_all && options.motions.empty())
         throw core::Error("--animation",
@@ -131,6 +135,9 @@ void add_bake_command(CLI::App& app) {
                 "(default: surface8, without --edges)");
     rows.choice("--channel", args->channel, {"texcoord1", "texcoord2"},
                 "Codes in a texture coordinate too, for engines that drop _INK: u is code/255");
+    rows.flag("--repair", args->options.repair,
+              "Codes of surface8 raised and lowered until random views of the model show few wrong "
+              "lines: seconds");
     rows.flag("--edges", args->options.edges,
               "Hard edges and silhouettes as EXT_mesh_primitive_edge_visibility");
     rows.number("--crease-deg", args->options.crease_deg, {0, 180}, "DEG",
