@@ -103,7 +103,7 @@ std::string sweep_line(std::int64_t cell, int setting, const SweepColumns& swept
 SweepColumns sweep_columns(const core::CsvTable& csv) {
     const std::size_t first = csv.find("status") + 1;
     const std::size_t end = csv.find(kNumbers[0]);
-    SweepColumns swept{.has_ink = csv.find("soft_f") < csv.columns.size()};
+    SweepColumns swept{.parameters = {}, .has_ink = csv.find("soft_f") < csv.columns.size()};
     for (std::size_t i = first; i < end && i < csv.columns.size(); ++i)
         swept.parameters.push_back(core::unquoted(csv.columns[i]));
     return swept;

@@ -9,7 +9,7 @@ addSection({
     title: 'Settings',
     intro: 'Every method was drawn with several settings of its parameters. Here are the best of them, and how the measure ' +
         'and time change with one parameter.',
-    isThere: view => sweptMethods(view).length > 0,
+    isThere: isSwept,
     uses: ['settings.*', 'sort.settings*'],
     draw(root, view) {
         const methods = sweptMethods(view);
@@ -24,10 +24,24 @@ function settingsMeasure(view) {
     return view.measure === 'soft_f' && view.run.table('sweep.csv').has('soft_f') ? 'soft_f' : 'f_2px';
 }
 
+function sweptLines(view) {
+    return view.run.joined('sweep.csv').filter(line => view.isMethodShown(line.method) && isSceneShown(line) && line.status === 'ok');
+}
+
+/// Whether a method has several settings with a score: found long before they are summed.
+function isSwept(view) {
+    const first = new Map();
+    return sweptLines(view).some(line => {
+        if (!isNumber(line.k_2px) || view.run.methods.get(line.method).isBaseline) return false;
+        const key = settingKey(view.run, line);
+        if (!first.has(line.method)) first.set(line.method, key);
+        return first.get(line.method) !== key;
+    });
+}
+
 /// Swept methods: {name, info, params: those that vary, settings: [{values, f, ms, views, rows}], own}.
 function sweptMethods(view) {
-    const lines = view.run.joined('sweep.csv').filter(line => view.isMethodShown(line.method) && isSceneShown(line) &&
-        line.status === 'ok');
+    const lines = sweptLines(view);
     const names = sweptParams(view.run);
     const measure = settingsMeasure(view);
     return byMethod(view.run, lines).filter(method => !method.isBaseline).map(method => {

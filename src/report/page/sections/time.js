@@ -15,11 +15,11 @@ addSection({
     isThere: view => view.contestants.some(s => s.ms !== null),
     uses: ['time.*'],
     draw(root, view) {
-        const sweep = settingsOf(view);
         const isBytes = state.get('time.x') === 'bytes';
+        const hasSettings = !isBytes && SWEPT_MEASURES.includes(view.measure) && isSwept(view);
         const isError = state.get('time.y') === 'error';
         const measure = MEASURES[view.measure];
-        const settings = isBytes || !state.get('time.settings') ? [] : sweep;
+        const settings = hasSettings && state.get('time.settings') ? settingsOf(view) : [];
         const lines = [...timeLines(view.contestants), ...settings];
         makeChart(root, {
             id: 'error-time',
@@ -31,7 +31,7 @@ addSection({
                 choiceButtons('Vertical axis', [['error', 'Error'], ['score', 'Score']], state.get('time.y'), y => state.set({'time.y': y})),
                 isBytes ? null : toggleButton('log x', state.get('time.xlog'), on => state.set({'time.xlog': on})),
                 isError ? toggleButton('log y', state.get('time.ylog'), on => state.set({'time.ylog': on})) : null,
-                sweep.length && !isBytes ? toggleButton('settings', state.get('time.settings'), on => state.set({'time.settings': on})) : null,
+                hasSettings ? toggleButton('settings', state.get('time.settings'), on => state.set({'time.settings': on})) : null,
             ].filter(Boolean),
             draw: chart => drawTimeChart(chart, view, lines, {isBytes, isError}),
             csv: () => [['method', 'setting', 'draw_ms', 'draw_ms_q25', 'draw_ms_q75', 'bytes_per_px', view.measure, 'low', 'high'],
@@ -57,12 +57,12 @@ function timeLines(summaries) {
     return summaries.map(s => ({...s, setting: '', isSetting: false}));
 }
 
+/// Sweeps are scored within 2 px alone, all classes together.
+const SWEPT_MEASURES = ['f_2px', 'precision', 'recall'];
+
 /// One line per setting that a sweep tried, its views pooled.
 function settingsOf(view) {
-    // Sweeps are scored within 2 px alone, all classes together.
-    if (!['f_2px', 'precision', 'recall'].includes(view.measure)) return [];
-    const lines = view.run.joined('sweep.csv').filter(
-        line => view.isMethodShown(line.method) && isSceneShown(line) && line.status === 'ok');
+    const lines = sweptLines(view);
     const swept = sweptParams(view.run);
     return [...groupBy(lines, line => `${line.method}\n${settingKey(view.run, line)}`).values()].map(rows => {
         const info = view.run.methods.get(rows[0].method);
