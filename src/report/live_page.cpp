@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -166,7 +167,10 @@ Json data_json(const harness::SceneViews& scene_views,
                           {"radius", ball.radius}};
     }
     if (run) {
-        data["run"] = run->record.name.empty() ? run->folder.string() : run->record.name;
+        // "." makes a folder of one that is written with a slash at its end, too.
+        const std::filesystem::path folder =
+            std::filesystem::absolute(run->folder / ".").lexically_normal();
+        data["run"] = folder.parent_path().filename().string();
         data["scores"] = scores_json(*run, scene_views);
     }
     return data;

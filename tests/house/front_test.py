@@ -58,6 +58,10 @@ class Front(unittest.TestCase):
         live = data(self.shipped["report.html"])["runs"][0]["live"].values()
         self.assertEqual({str(page.relative_to(PAGES)) for page in PAGES.glob("live/*")}, set(live))
 
+    def test_commands_are_those_of_a_checkout(self):
+        for command in data(self.shipped["report.html"])["runs"][0]["words"]["home"]["commands"]:
+            self.assertNotRegex(str(command), r"[' ]/")
+
     def test_pages_and_picture_are_light(self):
         self.assertLess(sum(map(len, self.shipped.values())), MOST_BYTES)
         self.assertLess((ROOT / "experiments/front.png").stat().st_size, MOST_PICTURE_BYTES)

@@ -81,7 +81,7 @@ class LiveTest(BrowserTest):
             self.fail(f"{name}: ink {counts[-1]}")
 
     def wait_for_lines(self, name="", colour=(0, 0, 0)):
-        self.wait_for_ink(lambda left, right: min(left, right) > 60, name, colour)
+        self.wait_for_ink(lambda left, right: min(left, right) > 30, name, colour)
 
     def ink_of(self, method, view="view0", width_px=1):
         text = self.script("const bytes = inkbench.draw({method: arguments[0], width: arguments[1], height: arguments[2],"

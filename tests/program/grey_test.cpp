@@ -84,7 +84,7 @@ TEST(GreyLines, AreWhatTheAnswerIsByWhereAMethodOfInkIsNamed) {
     const Desk desk;
     const std::string quick = "compare --scenes torus --size 320x180 --quick --images none --out ";
     const std::string told = expect_done(desk, quick + "out --methods strokes,ids");
-    EXPECT_THAT(told, HasSubstr("strokes: soft F 0.9"));
+    EXPECT_THAT(told, HasSubstr("\nstrokes finds 99.9 % of the ink, and "));
     EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("coverage = true"));
     EXPECT_THAT(desk.read("out/soft_differences.csv"), HasSubstr("\nstrokes,ids,0."));
     EXPECT_THAT(desk.read("out/summary.csv"), HasSubstr(",soft_f,soft_lo,soft_hi,"));

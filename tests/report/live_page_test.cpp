@@ -66,7 +66,7 @@ TEST(LivePage, HoldsTheMeshItsViewsAndTheShaders) {
 
 TEST(LivePage, ShowsWhatTheRunScoredAtTheViewsOfThatScene) {
     experiment::RunData run;
-    run.record.name = "made up";
+    run.folder = "runs/made up";
     for (const char* scene : {"</script><b>", "another"}) {
         harness::Row row = made_up_row("ids", 0.8, 2);
         row.scene = scene;
