@@ -11,8 +11,8 @@ namespace ink::shade {
 /// same size.
 ///
 /// Mixed in linear light, for a share of a pixel is one of its light: sRGB is taken out of both
-/// colours and put back once. A share of 0 changes nothing, one of 255 is the colour. Light lines on
-/// a dark picture look heavier than dark ones on a light one, most at a pixel's width: half a
+/// colours and put back once. A share of 0 changes nothing, one of 255 is the colour. Light lines
+/// on a dark picture look heavier than dark ones on a light one, most at a pixel's width: half a
 /// pixel's light looks nearer to white. Their light is the same, as in any mean of many samples.
 [[nodiscard]] core::Image<glm::u8vec3> lay_ink(const core::Image<std::uint8_t>& shares,
                                                core::Image<glm::u8vec3> image,

@@ -141,7 +141,8 @@ const core::TableOf<PairedDifference>& columns() {
         const auto range = table.part(&D::range);
         range.add({"lo",
                    "-1..1",
-                   "lower end of its nominal 95 % interval, scenes resampled for both together; empty with "
+                   "lower end of its nominal 95 % interval, scenes resampled for both together; "
+                   "empty with "
                    "fewer than six scenes"},
                   &statistics::Interval::low);
         range.add({"hi", "-1..1", "upper end"}, &statistics::Interval::high);

@@ -80,8 +80,9 @@ void add_f(const core::PartOf<const FSummary>& f,
            const std::string& error) {
     using S = FSummary;
     f.add_derived(std::move(whole), &S::all);
-    f.add_derived({name + "_lo", "0..1", "lower end of its nominal 95 % interval, scenes resampled"},
-                  [](const S& s) { return low_of(s.range); });
+    f.add_derived(
+        {name + "_lo", "0..1", "lower end of its nominal 95 % interval, scenes resampled"},
+        [](const S& s) { return low_of(s.range); });
     f.add_derived({name + "_hi", "0..1", "upper end"}, [](const S& s) { return high_of(s.range); });
     f.add_derived({error + "_scene", "", "the scene with most of its error"}, &S::error_scene);
     f.add_derived({error + "_scene_share", "0..1", "of its error, that of that scene"},

@@ -27,11 +27,12 @@ std::vector<std::string> lines_of(const std::string& text) {
 TEST(MethodsTable, BaselineRowsSayWhatTheyAreForAndNothingElse) {
     EXPECT_THAT(
         lines_of(methods_csv({})),
-        ElementsAre("method,role,family,marker,tunables,bytes_per_px,ink,preset_of,source,summary,params",
-                    "none,floor,,,,,,,,,",
-                    "sampled,one_sample,,,,,,,,,",
-                    "exact_corner,one_sample,,,,,,,,,",
-                    "oracle,exact,,,,,,,,,"));
+        ElementsAre(
+            "method,role,family,marker,tunables,bytes_per_px,ink,preset_of,source,summary,params",
+            "none,floor,,,,,,,,,",
+            "sampled,one_sample,,,,,,,,,",
+            "exact_corner,one_sample,,,,,,,,,",
+            "oracle,exact,,,,,,,,,"));
 }
 
 TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
