@@ -4,6 +4,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "methods/mesh_lookup/lookup_method.h"
+#include "methods/surface_codes/surface_code_params.h"
 #include "methods/surface_codes/surface_codes.h"
 
 namespace ink::methods {
