@@ -157,7 +157,7 @@ core::TableOf<AxisPoint> axis_summary_table(bool has_ink) {
             {"soft_f", "0..1", "of the ink of all cases; only with --coverage"},
             &score::SoftScore::f);
         const auto soft_range = table.part(&P::soft_range);
-        soft_range.add_derived({"soft_lo", "0..1", "lower end of its 95 % interval"},
+        soft_range.add_derived({"soft_lo", "0..1", "lower end of its nominal 95 % interval"},
                                &statistics::Interval::low);
         soft_range.add_derived({"soft_hi", "0..1", "upper end"}, &statistics::Interval::high);
     }
