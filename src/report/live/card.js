@@ -38,6 +38,11 @@ function millisecondsOf({lines_ns, mesh_ns}) {
     return (lines_ns + mesh_ns) / 1e6;
 }
 
+/// Three digits, never as a power of ten.
+function digitsOf(ms) {
+    return ms.toLocaleString('en', {minimumSignificantDigits: 3, maximumSignificantDigits: 3, useGrouping: false});
+}
+
 /// What a card says of methods, in sentences.
 function cardWords(card, methods) {
     const timesOf = method => card.methods.find(times => times.method === method);
@@ -45,10 +50,10 @@ function cardWords(card, methods) {
         const times = timesOf(method);
         return times ? text(method, times) : `${method} not measured`;
     }).join(', ');
-    const ms = ns => (ns / 1e6).toPrecision(3);
+    const ms = ns => digitsOf(ns / 1e6);
     const coarse = card.methods.filter(times => isCoarse(times.lines_ns, times.lines_spread_ns)).map(({method}) => method);
     return {
-        frames: listOf((method, times) => `${method} ${millisecondsOf(times).toPrecision(3)} ms`),
+        frames: listOf((method, times) => `${method} ${digitsOf(millisecondsOf(times))} ms`),
         lines: listOf((method, times) => `${method} ${ms(times.lines_ns)} ± ${ms(times.lines_spread_ns)} ms`),
         coarse: coarse.length === 0 ? '' : ` The browser's clock is too coarse, or the machine too busy, for the lines of ${coarse.join(', ')}.`,
     };

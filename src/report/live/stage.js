@@ -66,7 +66,7 @@ function partsOfPicture() {
 
 function labelOf(method) {
     const ms = state.times[method];
-    return element('span', {}, element('b', {}, method), scoreText(method), ms === undefined ? '' : ` ${ms.toPrecision(3)} ms`);
+    return element('span', {}, element('b', {}, method), scoreText(method), ms === undefined ? '' : ` ${digitsOf(ms)} ms`);
 }
 
 function placeLabels({width, height, parts}) {
