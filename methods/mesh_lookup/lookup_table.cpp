@@ -8,6 +8,28 @@
 #include "methods/surface_codes/surface_codes.h"
 
 namespace ink::methods {
+namespace {
+
+/// Per point of a mesh a corner that is there: 3 global index + 0..2.
+std::vector<std::uint32_t> corners_at_points(const scene::Scene& scene, const LookupMesh& mesh) {
+    std::vector<std::uint32_t> corners(mesh.p_world.size());
+    std::uint32_t t = 0;
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& placed = scene.meshes[instance.mesh];
+        for (const scene::Triangle& triangle : placed.triangles) {
+            const std::uint32_t face = mesh.face_of_triangle[t];
+            for (std::uint32_t i = 0; face != kNoNeighbour && i < 3; ++i) {
+                const glm::dvec3 p = scene::to_world(instance, placed.positions[triangle[i]]);
+                for (const std::uint32_t point : mesh.faces[face].vertices)
+                    if (mesh.p_world[point] == p) corners[point] = 3 * t + i;
+            }
+            ++t;
+        }
+    }
+    return corners;
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
                                         const std::vector<std::uint32_t>& codes) {
@@ -32,8 +54,9 @@ std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
     return words;
 }
 
-LookupTable lookup_table(const scene::PreparedScene& scene) {
-    const LookupParams params;
+LookupTable lookup_table(const scene::PreparedScene& scene, double crease_deg) {
+    LookupParams params;
+    params.crease_deg = crease_deg;
     const LookupMesh mesh = make_lookup_mesh(
         scene,
         {.crease_rad = glm::radians(params.crease_deg), .weld_epsilon = params.weld_epsilon});
@@ -60,6 +83,7 @@ LookupTable lookup_table(const scene::PreparedScene& scene) {
     }
     for (const glm::dvec3& p : mesh.p_world)
         table.p_world.emplace_back(p, 1);
+    table.corners = corners_at_points(scene, mesh);
     return table;
 }
 

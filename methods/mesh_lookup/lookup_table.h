@@ -16,7 +16,7 @@ namespace ink::methods {
 [[nodiscard]] std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
                                                       const std::vector<std::uint32_t>& codes);
 
-/// What the shaders of surface_lookup and chords read, at default parameters.
+/// What the shaders of surface_lookup and chords read, at default parameters but the crease.
 struct LookupTable {
     static constexpr std::uint32_t kObject = 0x3fff;  ///< bits by which objects are told apart
     /// Corners and patch, and the twins of edges (Twin); the last has the face's code and flag in
@@ -29,10 +29,11 @@ struct LookupTable {
         std::uint32_t rest;
     };
     std::vector<Face> faces;
-    std::vector<glm::vec4> p_world;  ///< the fourth is 1
+    std::vector<glm::vec4> p_world;      ///< the fourth is 1
+    std::vector<std::uint32_t> corners;  ///< per point one that is there: 3 global index + 0..2
 };
 
 /// Throws core::Error where faces are too many for words.
-[[nodiscard]] LookupTable lookup_table(const scene::PreparedScene& scene);
+[[nodiscard]] LookupTable lookup_table(const scene::PreparedScene& scene, double crease_deg);
 
 }  // namespace ink::methods

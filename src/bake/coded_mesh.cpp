@@ -60,7 +60,7 @@ CodedMesh coded_mesh(const scene::PreparedScene& scene) {
     CodedMesh mesh;
     mesh.added_count = flat.added_count(corners.vertices.size());
     mesh.indices = std::move(flat.indices);
-    mesh.lookup = methods::lookup_table(scene);
+    mesh.lookup = methods::lookup_table(scene, kCrease_deg);
     for (std::size_t v = 0; v < flat.source_vertex.size(); ++v) {
         mesh.corners.push_back(corner_of[flat.source_vertex[v]]);
         mesh.surface8.push_back(static_cast<std::uint8_t>(flat.codes[v] & 0xffU));

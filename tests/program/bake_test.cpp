@@ -152,6 +152,21 @@ TEST(BakeProgram, CodesAreTheDefaultUnlessEdgesAreAskedFor) {
     EXPECT_TRUE(attributes(" --edges --channel texcoord1").contains("TEXCOORD_1"));
 }
 
+TEST(BakeProgram, WritesTablesOfTheLookupBesideAModel) {
+    const Desk desk;
+    desk.write("a.gltf", tetrahedron());
+    desk.write("cube.obj", kCubeObj);
+    EXPECT_THAT(expect_done(desk, "bake a.gltf --codes surface_lookup -o a.lookup"),
+                StartsWith("a.lookup: tables of 4 triangles, "));
+    EXPECT_EQ(desk.read("a.lookup").size(), 4 * (3 + 8 * 4 + 2 + 2 * 4));
+    EXPECT_EQ(desk.read("a.gltf"), tetrahedron());
+    const std::string end = " --codes surface_lookup -o b.lookup";
+    expect_refused(desk, "bake a.gltf --edges" + end, {"--codes", "--edges"});
+    expect_refused(desk, "bake a.gltf --repair" + end, {"--codes", "--repair"});
+    expect_refused(desk, "bake cube.obj" + end, {"cube.obj", "is no glTF file", ".glb"});
+    expect_refused(desk, "bake a.gltf --codes surface_lookup -o b.glb", {"b.glb", ".lookup"});
+}
+
 TEST(BakeProgram, MakesGltfOfOtherFormats) {
     const Desk desk;
     desk.write("cube.obj", kCubeObj);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bake/file_normals.h"
+#include "bake/lookup_file.h"
 #include "cli/commands/commands.h"
 #include "cli/options/command_rows.h"
 #include "cli/options/options.h"
@@ -27,6 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kMethods{methods::BakedMethod::surface8, methods::BakedMethod::label8};
+
+constexpr const char* kLookup = "surface_lookup";  ///< whose tables go into a file of their own
 
 constexpr const char* kAllAnimations = "all";
 
@@ -86,7 +89,34 @@ std::vector<scene::Scene> motions_of(const BakeArgs& args, const import::Importe
     return motions;
 }
 
+/// Puts the model where it is at a time, or at rest.
+void pose(import::ImportedModel& model, std::optional<double> time_s) {
+    harness::ViewRequest request;
+    request.time_s = time_s;
+    model.scene = harness::make_scene_views(std::move(model.scene), request).scene;
+}
+
+void run_lookup(const BakeArgs& args) {
+    check_output_path(args.out, {".lookup"});
+    if (args.options.edges || args.options.repair || !args.channel.empty())
+        throw core::Error("--codes",
+                          "tables of surface_lookup go into a file of their own",
+                          "neither --edges nor --channel nor --repair");
+    const core::InterruptGuard guard("nothing is written");
+    import::ImportedModel model = import::import_model(args.model, {.animation = args.animation});
+    if (!bake::is_gltf(model))
+        throw core::Error(args.model, "is no glTF file", ".gltf, .glb; bake makes one of others");
+    pose(model, args.time_s);
+    const std::string bytes = bake::lookup_file(model, args.options.crease_deg);
+    core::write_whole_file(args.out, bytes);
+    fmt::print("{}: tables of {} triangles, {}\n",
+               args.out,
+               scene::triangle_count(model.scene),
+               in_units(bytes.size()));
+}
+
 void run_bake(const BakeArgs& args) {
+    if (args.codes == kLookup) return run_lookup(args);
     bake::BakeOptions options = options_of(args);
     check_output_path(args.out, {".glb", ".gltf"});
     const core::InterruptGuard guard("nothing is written");
@@ -105,9 +135,7 @@ void run_bake(const BakeArgs& args) {
                           "a glTF file that moves, without --time");
     if (model.scene.animation)
         options.pose = args.time_s ? fmt::format("at {:g} s", *args.time_s) : "at rest";
-    harness::ViewRequest request;
-    request.time_s = args.time_s;
-    model.scene = harness::make_scene_views(std::move(model.scene), request).scene;
+    pose(model, args.time_s);
     const bake::BakedFile baked = bake::is_gltf(model)
                                       ? bake::bake(args.model, model, options, args.out)
                                       : bake_other(std::move(model), options, args.out);
@@ -129,10 +157,12 @@ void add_bake_command(CLI::App& app) {
     // clang-format off
     rows.text("model", args->model, "MODEL", "Model file; formats other than glTF become glTF")
         ->required();
-    rows.text("-o,--out", args->out, "FILE.glb|FILE.gltf", "File to write")->required();
-    rows.choice("--codes", args->codes, {bake::name(kMethods[0]), bake::name(kMethods[1])},
+    rows.text("-o,--out", args->out, "FILE.glb|FILE.gltf|FILE.lookup",
+              "File to write")->required();
+    rows.choice("--codes", args->codes, {bake::name(kMethods[0]), bake::name(kMethods[1]), kLookup},
                 "Codes of this method, a byte for each triangle, as the attribute _INK "
-                "(default: surface8, without --edges)");
+                "(default: surface8, without --edges); of surface_lookup what its shader and that of "
+                "chords read, as FILE.lookup, to stand beside a glTF file that stays as it is");
     rows.choice("--channel", args->channel, {"texcoord1", "texcoord2"},
                 "Codes in a texture coordinate too, for engines that drop _INK: u is code/255");
     rows.flag("--repair", args->options.repair,
