@@ -6,8 +6,9 @@
 #include <functional>
 #include <limits>
 #include <random>
-#include <span>
 #include <utility>
+
+#include "core/keyed_lists.h"
 
 namespace ink::methods {
 namespace {
@@ -19,28 +20,6 @@ constexpr int kSafeDifference = 6;
 constexpr float kUnsafeLoss = 0.15F;
 /// Larger patches are not shifted: it takes long, and they hold most of what is right already.
 constexpr std::size_t kMostShiftedFaces = 4000;
-
-/// Numbers in lists, one list a key, in one piece.
-class Lists {
-  public:
-    /// `each` calls its argument with (key, number) for all of them, the same whenever asked.
-    template <class Each>
-    Lists(std::size_t keys, Each each) : first_(keys + 1, 0) {
-        each([&](std::uint32_t key, std::uint32_t) { ++first_[key + 1]; });
-        for (std::size_t i = 0; i < keys; ++i)
-            first_[i + 1] += first_[i];
-        numbers_.resize(first_[keys]);
-        std::vector<std::size_t> next = first_;
-        each([&](std::uint32_t key, std::uint32_t number) { numbers_[next[key]++] = number; });
-    }
-    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t key) const {
-        return {numbers_.data() + first_[key], first_[key + 1] - first_[key]};
-    }
-
-  private:
-    std::vector<std::size_t> first_;
-    std::vector<std::uint32_t> numbers_;
-};
 
 /// A set of numbers from which one can be drawn.
 class Drawer {
@@ -252,12 +231,12 @@ class CodeRepair {
     Fold fold_;
     int least_difference_;
     SurfaceGraph graph_;
-    Lists squares_of_;                   ///< per face
-    Lists faces_of_;                     ///< per patch
-    std::vector<std::int32_t> heights_;  ///< per node of the graph
-    std::vector<int> codes_;             ///< per face
-    std::vector<float> losses_;          ///< per square
-    std::vector<std::uint32_t> rounds_;  ///< per square, when it was rated last
+    core::KeyedLists<std::uint32_t> squares_of_;  ///< per face
+    core::KeyedLists<std::uint32_t> faces_of_;    ///< per patch
+    std::vector<std::int32_t> heights_;           ///< per node of the graph
+    std::vector<int> codes_;                      ///< per face
+    std::vector<float> losses_;                   ///< per square
+    std::vector<std::uint32_t> rounds_;           ///< per square, when it was rated last
     Drawer wrong_;
     double loss_ = 0;
     std::uint32_t round_ = 0;

@@ -13,23 +13,16 @@ constexpr std::uint32_t kTried = 256;
 
 }  // namespace
 
-PatchBorders::PatchBorders(const SmoothMesh& mesh) : first_(mesh.patch_count + std::size_t{1}, 0) {
-    for (const FacePair& pair : mesh.borders) {
-        ++first_[mesh.patch_of[pair.face0] + std::size_t{1}];
-        ++first_[mesh.patch_of[pair.face1] + std::size_t{1}];
-    }
-    for (std::size_t p = 0; p < mesh.patch_count; ++p)
-        first_[p + 1] += first_[p];
-    sides_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const FacePair& pair : mesh.borders) {
-        const scene::Edge& edge = mesh.topology.edges[pair.edge];
-        const double length =
-            glm::length(mesh.topology.p_world[edge.a] - mesh.topology.p_world[edge.b]);
-        sides_[next[mesh.patch_of[pair.face0]]++] = {pair.face0, pair.face1, length};
-        sides_[next[mesh.patch_of[pair.face1]]++] = {pair.face1, pair.face0, length};
-    }
-}
+PatchBorders::PatchBorders(const SmoothMesh& mesh)
+    : KeyedLists(mesh.patch_count, [&](auto take) {
+          for (const FacePair& pair : mesh.borders) {
+              const scene::Edge& edge = mesh.topology.edges[pair.edge];
+              const double length =
+                  glm::length(mesh.topology.p_world[edge.a] - mesh.topology.p_world[edge.b]);
+              take(mesh.patch_of[pair.face0], BorderSide{pair.face0, pair.face1, length});
+              take(mesh.patch_of[pair.face1], BorderSide{pair.face1, pair.face0, length});
+          }
+      }) {}
 
 std::vector<std::uint32_t> patches_by_area(const SmoothMesh& mesh) {
     std::vector<double> areas(mesh.patch_count, 0);
@@ -69,7 +62,7 @@ std::vector<std::uint32_t> patch_labels(const SmoothMesh& mesh, const LabelRange
             // Steps of an odd number near the golden section of the range: all of it, far apart.
             const std::uint32_t label = (start + i * (count * 5 / 8 | 1U)) % count;
             double lost = 0;
-            for (const PatchBorders::Side& side : borders.of(patch)) {
+            for (const BorderSide& side : borders.of(patch)) {
                 const std::uint32_t other = labels[mesh.patch_of[side.beyond]];
                 if (other == kUnknown) continue;
                 if (seen_difference(label, other, range.bits) < range.least_difference)

@@ -1,33 +1,23 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "core/keyed_lists.h"
 #include "methods/surface_codes/smooth_mesh.h"
 
 namespace ink::methods {
 
+/// A face at the border of a patch, and the one beyond it.
+struct BorderSide {
+    std::uint32_t face = 0;
+    std::uint32_t beyond = 0;
+    double length = 0;  ///< of their edge, world units
+};
+
 /// The borders of a mesh's patches, listed by patch: each of SmoothMesh::borders twice.
-class PatchBorders {
-  public:
-    /// A face at a border, and the one beyond it.
-    struct Side {
-        std::uint32_t face = 0;
-        std::uint32_t beyond = 0;
-        double length = 0;  ///< of their edge, world units
-    };
-
+struct PatchBorders : core::KeyedLists<BorderSide> {
     explicit PatchBorders(const SmoothMesh& mesh);
-
-    [[nodiscard]] std::span<const Side> of(std::uint32_t patch) const {
-        return {sides_.data() + first_[patch], first_[patch + 1] - first_[patch]};
-    }
-
-  private:
-    std::vector<Side> sides_;
-    std::vector<std::size_t> first_;  ///< per patch, and the end
 };
 
 /// Patches, the largest area first: the order in which they choose their codes.

@@ -82,7 +82,7 @@ std::vector<std::int32_t> phased_heights(const SmoothMesh& mesh,
         const auto starts = static_cast<std::uint32_t>(fold.period() / 2 / stride);
         const auto start = static_cast<std::int32_t>(scattered(patch, starts)) * stride;
         losses.start();
-        for (const PatchBorders::Side& side : borders.of(patch)) {
+        for (const BorderSide& side : borders.of(patch)) {
             const std::uint32_t other = mesh.patch_of[side.beyond];
             const std::int32_t distance = distances[side.face];
             const std::int32_t beyond = distances[side.beyond];

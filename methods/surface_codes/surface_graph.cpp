@@ -79,9 +79,12 @@ std::int32_t whole_cost(double steps) {
 
 }  // namespace
 
-SurfaceGraph::SurfaceGraph(const SmoothMesh& mesh, const StepCosts& costs) : mesh_(mesh) {
+SurfaceGraph::SurfaceGraph(const SmoothMesh& mesh, const StepCosts& costs)
+    : mesh_(mesh), corners_of_(mesh.fan_count, [&](auto take) {
+          for (std::uint32_t corner = 0; corner < mesh.fan_of.size(); ++corner)
+              take(mesh.fan_of[corner], corner);
+      }) {
     find_slit_ends();
-    list_corners();
     set_costs(costs);
 }
 
@@ -95,18 +98,6 @@ void SurfaceGraph::find_slit_ends() {
             if (fan == mesh_.fan_of[mesh_.corner_at(pair.face1, vertex)]) is_slit_end_[fan] = 1;
         }
     }
-}
-
-void SurfaceGraph::list_corners() {
-    fan_first_.assign(mesh_.fan_count + std::size_t{1}, 0);
-    for (const std::uint32_t fan : mesh_.fan_of)
-        ++fan_first_[fan + 1];
-    for (std::size_t fan = 0; fan < mesh_.fan_count; ++fan)
-        fan_first_[fan + 1] += fan_first_[fan];
-    fan_corners_.resize(mesh_.fan_of.size());
-    std::vector<std::uint32_t> next(fan_first_.begin(), fan_first_.end() - 1);
-    for (std::uint32_t corner = 0; corner < mesh_.fan_of.size(); ++corner)
-        fan_corners_[next[mesh_.fan_of[corner]]++] = corner;
 }
 
 void SurfaceGraph::steepen(const std::vector<std::uint32_t>& fans) {
@@ -169,23 +160,16 @@ void SurfaceGraph::set_costs(const StepCosts& costs) {
 void SurfaceGraph::list_touching(const StepCosts& costs, const std::vector<glm::dvec3>& normals) {
     if (mesh_.touching.empty()) return;
     const double turn = 2 * std::sin(costs.turn_rad / 2);
-    touching_first_.assign(face_count() + 1, 0);
-    for (const FacePair& pair : mesh_.touching) {
-        ++touching_first_[pair.face0 + 1];
-        ++touching_first_[pair.face1 + 1];
-    }
-    for (std::size_t f = 0; f < face_count(); ++f)
-        touching_first_[f + 1] += touching_first_[f];
-    touching_.resize(touching_first_.back());
-    std::vector<std::uint32_t> next(touching_first_.begin(), touching_first_.end() - 1);
-    for (const auto& [f, g, edge] : mesh_.touching) {
-        // Normals know of no such edges: either side may be the front.
-        const double bend =
-            std::min(glm::length(normals[f] - normals[g]), glm::length(normals[f] + normals[g]));
-        const std::int32_t cost = whole_cost(bend / turn);
-        touching_[next[f]++] = {g, cost};
-        touching_[next[g]++] = {f, cost};
-    }
+    touching_ = core::KeyedLists<Touching>(face_count(), [&](auto take) {
+        for (const auto& [f, g, edge] : mesh_.touching) {
+            // Normals know of no such edges: either side may be the front.
+            const double bend = std::min(glm::length(normals[f] - normals[g]),
+                                         glm::length(normals[f] + normals[g]));
+            const std::int32_t cost = whole_cost(bend / turn);
+            take(f, Touching{g, cost});
+            take(g, Touching{f, cost});
+        }
+    });
 }
 
 void spread(const SurfaceGraph& graph,

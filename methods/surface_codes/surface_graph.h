@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/keyed_lists.h"
 #include "methods/surface_codes/smooth_mesh.h"
 
 namespace ink::methods {
@@ -42,8 +43,8 @@ class SurfaceGraph {
         const auto faces = static_cast<std::uint32_t>(face_count());
         if (node >= faces) {
             const std::uint32_t fan = node - faces;
-            for (std::uint32_t i = fan_first_[fan]; i < fan_first_[fan + 1]; ++i)
-                visit(fan_corners_[i] / 3, half_costs_[fan_corners_[i]]);
+            for (const std::uint32_t corner : corners_of_.of(fan))
+                visit(corner / 3, half_costs_[corner]);
             return;
         }
         for (std::uint32_t corner = 3 * node; corner < 3 * node + 3; ++corner) {
@@ -52,9 +53,9 @@ class SurfaceGraph {
             if (mesh_.across[corner] != SmoothMesh::kNone)
                 visit(mesh_.across[corner], edge_costs_[corner]);
         }
-        if (touching_first_.empty()) return;
-        for (std::uint32_t i = touching_first_[node]; i < touching_first_[node + 1]; ++i)
-            visit(touching_[i].face, touching_[i].cost);
+        if (touching_.empty()) return;
+        for (const Touching& way : touching_.of(node))
+            visit(way.face, way.cost);
     }
 
   private:
@@ -65,19 +66,15 @@ class SurfaceGraph {
     };
 
     void find_slit_ends();
-    void list_corners();
     void set_costs(const StepCosts& costs);
     void list_touching(const StepCosts& costs, const std::vector<glm::dvec3>& normals);
 
     const SmoothMesh& mesh_;
-    std::vector<std::uint8_t> is_slit_end_;   ///< per fan
-    std::vector<std::uint32_t> fan_first_;    ///< per fan, into fan_corners_, and the end
-    std::vector<std::uint32_t> fan_corners_;  ///< ascending in each fan
+    std::vector<std::uint8_t> is_slit_end_;       ///< per fan
+    core::KeyedLists<std::uint32_t> corners_of_;  ///< per fan, ascending
     std::vector<std::int32_t> half_costs_;  ///< per corner: face to fan or back, kStep / 2 at most
     std::vector<std::int32_t> edge_costs_;  ///< per corner: over the edge that begins there
-    std::vector<std::uint32_t>
-        touching_first_;  ///< per face, into touching_, and the end; or empty
-    std::vector<Touching> touching_;
+    core::KeyedLists<Touching> touching_;   ///< per face
 };
 
 /// Lowers `keys`, one per node, to what can be reached: key of another node plus the cost of the

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <utility>
 
 namespace ink::crosscheck {
@@ -40,15 +39,10 @@ KnownLines::KnownLines(const SampleCells& cells,
                        std::span<const CellPoint> points)
     : cells_(cells),
       mesh_(mesh),
-      first_(static_cast<std::size_t>(cells.columns()) * cells.rows() + 1, 0),
-      points_(points.size()) {
-    for (const CellPoint& p : points)
-        ++first_[cells.index(p.cell)];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    // From behind the last of each cell forwards: the order stays, and each ends at its first.
-    for (auto p = points.rbegin(); p != points.rend(); ++p)
-        points_[--first_[cells.index(p->cell)]] = p->point;
-}
+      points_(static_cast<std::size_t>(cells.columns()) * cells.rows(), [&](auto take) {
+          for (const CellPoint& p : points)
+              take(cells.index(p.cell), p.point);
+      }) {}
 
 bool KnownLines::has_near(const glm::dvec2& p_px,
                           truth::LineClass line_class,
@@ -59,11 +53,8 @@ bool KnownLines::has_near(const glm::dvec2& p_px,
     };
     const glm::ivec2 low = cells_.cell_of(p_px - reach_px), high = cells_.cell_of(p_px + reach_px);
     for (int y = low.y; y <= high.y; ++y) {
-        const auto at = [&](std::size_t i) {
-            return points_.begin() + static_cast<std::ptrdiff_t>(first_[i]);
-        };
-        const auto begin = at(cells_.index({low.x, y})), end = at(cells_.index({high.x, y}) + 1);
-        if (std::any_of(begin, end, is_near)) return true;
+        const std::size_t first = cells_.index({low.x, y}), last = cells_.index({high.x, y});
+        if (std::ranges::any_of(points_.of(first, last), is_near)) return true;
     }
     return false;
 }

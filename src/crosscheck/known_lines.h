@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/keyed_lists.h"
 #include "crosscheck/sample_cells.h"
 
 namespace ink::crosscheck {
@@ -45,8 +46,7 @@ class KnownLines {
   private:
     const SampleCells& cells_;
     const ClipMesh& mesh_;
-    std::vector<std::uint32_t> first_;  ///< of each cell, into the points
-    std::vector<SampledPoint> points_;
+    core::KeyedLists<SampledPoint> points_;  ///< by cell
 };
 
 /// Where found points and counts go.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "core/disjoint_sets.h"
+#include "core/keyed_lists.h"
 #include "core/numbering.h"
 #include "scene/predicates.h"
 
@@ -48,57 +50,39 @@ std::uint32_t end_of(std::uint32_t side) {
     return side % 3 == 2 ? side - 2 : side + 1;
 }
 
-/// Sides of all triangles with three distinct places, those of one edge in a row.
-class Edges {
-  public:
-    explicit Edges(const FaceGraph& graph) : places_(graph.places) {
-        first_.assign(graph.corner_at.size() + 1, 0);
-        for_each_side([&](std::uint32_t lower, const Side&) { ++first_[lower + 1]; });
-        for (std::size_t i = 1; i < first_.size(); ++i)
-            first_[i] += first_[i - 1];
-        sides_.resize(first_.back());
-        std::vector<std::uint32_t> filled(first_.begin(), first_.end() - 1);
-        for_each_side(
-            [&](std::uint32_t lower, const Side& side) { sides_[filled[lower]++] = side; });
-    }
+/// Sides of all triangles with three distinct places, by the lower of their two.
+core::KeyedLists<Side> sides_by_place(const FaceGraph& graph) {
+    const std::vector<std::uint32_t>& places = graph.places;
+    return {graph.corner_at.size(), [&](auto take) {
+                for (std::uint32_t t = 0; t < places.size(); t += 3) {
+                    const std::uint32_t* p = places.data() + t;
+                    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+                    for (std::uint32_t side = t; side < t + 3; ++side) {
+                        const auto [lower, upper] = std::minmax(places[side], places[end_of(side)]);
+                        take(lower, Side{upper, side});
+                    }
+                }
+            }};
+}
 
-    /// Calls `visit(begin, end)` with the sides of each edge.
-    template <class Visit>
-    void for_each_edge(Visit visit) {
-        for (std::size_t place = 0; place + 1 < first_.size(); ++place) {
-            Side* const last = sides_.data() + first_[place + 1];
-            Side* begin = sides_.data() + first_[place];
-            std::sort(begin, last, [](const Side& a, const Side& b) {
-                return a.upper_place != b.upper_place ? a.upper_place < b.upper_place
-                                                      : a.side < b.side;
-            });
-            while (begin != last) {
-                Side* const end = std::find_if(begin, last, [&](const Side& s) {
-                    return s.upper_place != begin->upper_place;
-                });
-                visit(begin, end);
-                begin = end;
-            }
+/// Calls `visit(begin, end)` with the sides of each edge.
+template <class Visit>
+void for_each_edge(const FaceGraph& graph, const Visit& visit) {
+    core::KeyedLists<Side> lists = sides_by_place(graph);
+    for (std::size_t place = 0; place < lists.key_count(); ++place) {
+        const std::span<Side> sides = lists.of(place);
+        std::ranges::sort(sides, [](const Side& a, const Side& b) {
+            return a.upper_place != b.upper_place ? a.upper_place < b.upper_place : a.side < b.side;
+        });
+        Side* const last = sides.data() + sides.size();
+        for (Side* begin = sides.data(); begin != last;) {
+            Side* const end = std::find_if(
+                begin, last, [&](const Side& s) { return s.upper_place != begin->upper_place; });
+            visit(begin, end);
+            begin = end;
         }
     }
-
-  private:
-    template <class Visit>
-    void for_each_side(Visit visit) const {
-        for (std::uint32_t t = 0; t < places_.size(); t += 3) {
-            const std::uint32_t* p = places_.data() + t;
-            if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
-            for (std::uint32_t side = t; side < t + 3; ++side) {
-                const auto [lower, upper] = std::minmax(places_[side], places_[end_of(side)]);
-                visit(lower, Side{upper, side});
-            }
-        }
-    }
-
-    const std::vector<std::uint32_t>& places_;
-    std::vector<std::uint32_t> first_;
-    std::vector<Side> sides_;
-};
+}
 
 /// Whether each triangle has an area.
 std::vector<bool> find_areas(const Surface& surface, const FaceGraph& graph) {
@@ -125,7 +109,7 @@ OpenEdges join_edges(const std::vector<bool>& has_area, FaceGraph& graph) {
                     std::vector<bool>(has_area.size(), false)};
     for (std::uint32_t side = 0; side < graph.places.size(); ++side)
         graph.across.push_back(side / 3);
-    Edges(graph).for_each_edge([&](Side* begin, Side* end) {
+    for_each_edge(graph, [&](Side* begin, Side* end) {
         // A triangle without area may close the gap beside it or not: taken as if it did not.
         Side* const last =
             std::stable_partition(begin, end, [&](const Side& s) { return has_area[s.side / 3]; });

@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numeric>
 
+#include "core/keyed_lists.h"
 #include "core/parallel.h"
 #include "crosscheck/line_probe.h"
 
@@ -39,31 +39,21 @@ class PixelLists {
     PixelLists(const scene::View& view, std::size_t item_count, const BoxesOf& boxes_of)
         : width_(view.width_px + 2),
           height_(view.height_px + 2),
-          first_(static_cast<std::size_t>(width_) * height_ + 1, 0) {
-        const auto for_each = [&](auto&& take) {
-            for (std::uint32_t item = 0; item < item_count; ++item) {
-                boxes_of(item, [&](const glm::dvec2& low, const glm::dvec2& high) {
-                    for (int y = row(low.y); y <= row(high.y); ++y) {
-                        for (int x = column(low.x); x <= column(high.x); ++x)
-                            take(first_[static_cast<std::size_t>(y) * width_ + x], item);
-                    }
-                });
-            }
-        };
-        for_each([](std::uint32_t& count, std::uint32_t) { ++count; });
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        items_.resize(first_.back());
-        // Each pixel's is behind its last, and ends at its first.
-        for_each([&](std::uint32_t& next, std::uint32_t item) { items_[--next] = item; });
-    }
+          items_(static_cast<std::size_t>(width_) * height_, [&](auto take) {
+              for (std::uint32_t item = 0; item < item_count; ++item) {
+                  boxes_of(item, [&](const glm::dvec2& low, const glm::dvec2& high) {
+                      for (int y = row(low.y); y <= row(high.y); ++y) {
+                          for (int x = column(low.x); x <= column(high.x); ++x)
+                              take(static_cast<std::size_t>(y) * width_ + x, item);
+                      }
+                  });
+              }
+          }) {}
     /// Whether `accepts(item)` for one of those in the pixel of `p`.
     template <class Accepts>
     [[nodiscard]] bool any(const glm::dvec2& p, Accepts accepts) const {
         const std::size_t pixel = static_cast<std::size_t>(row(p.y)) * width_ + column(p.x);
-        for (std::size_t i = first_[pixel]; i < first_[pixel + 1]; ++i) {
-            if (accepts(items_[i])) return true;
-        }
-        return false;
+        return std::ranges::any_of(items_.of(pixel), accepts);
     }
 
   private:
@@ -76,8 +66,7 @@ class PixelLists {
 
     int width_;
     int height_;
-    std::vector<std::uint32_t> first_;  ///< of each pixel, into the items
-    std::vector<std::uint32_t> items_;  ///< by pixel
+    core::KeyedLists<std::uint32_t> items_;  ///< by pixel
 };
 
 /// Whether the curve passes the point within `reach_px`, and not just ends or begins there.
