@@ -24,13 +24,11 @@ function findAnswer(contestants, {margin, budget}) {
     return {method, mostExact, fastest: cheapest(contestants.filter(s => s.ms !== null))};
 }
 
-/// That method with its numbers, as a heading: as the program words it where its measure is the program's.
+/// That method with its measure and time, as a heading.
 function answerOfSums({answer: {method, fastest}, measure}) {
     const budget = state.get('budget');
     const within = budget ? `Within ${formatMs(budget)} ms, ` : '';
     if (!method) return fastest ? `${within}none has a score: none is faster than ${formatMs(fastest.ms)} ms (${fastest.method})` : 'No method has a score here';
     const time = method.ms === null ? '' : ` in ${formatMs(method.ms)} ms${method.info.hasOwnClock ? ' by its own clock' : ''}`;
-    if (measure !== 'f_2px') return `${within}${method.method}: ${MEASURES[measure].title} ${formatShare(method.value)}${time}`;
-    const percent = share => ((share ?? 1) === 1 ? '100 %' : `${Math.min(99.9, 100 * share).toFixed(1)} %`);
-    return `${within}${method.method} finds ${percent(method.recall)} of the outline, and ${percent(method.precision)} of what it draws is right${time && `,${time}`}`;
+    return `${within}${method.method}: ${MEASURES[measure].title} ${formatShare(method.value)}${time}`;
 }
