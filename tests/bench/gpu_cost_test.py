@@ -35,8 +35,8 @@ class GpuCostTest(unittest.TestCase):
                 writer.writerows(rows)
             done = gpu_cost("--check", "--kept", smaller)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertRegex(done.stderr, r"^surface8_depth lines fragment navi21: \d+ instructions, \d+ in smaller.csv\n"
-                                      r"ids mesh vertex navi21: not in smaller.csv\n$")
+        self.assertRegex(done.stderr, r"^surface8_depth lines fragment RDNA2: \d+ instructions, \d+ in smaller.csv\n"
+                                      r"ids mesh vertex RDNA2: not in smaller.csv\n$")
 
 
 if __name__ == "__main__":
