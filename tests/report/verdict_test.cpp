@@ -331,6 +331,8 @@ TEST(VerdictTable, SaysThatAllIsFoundOnlyWhereAllIs) {
     row.n_truth = 10'000;
     row.k_2px = row.n_pred = 9'999;
     EXPECT_THAT(verdict_table({row}), HasSubstr("finds 99.9 % of the outline, and 100 % of what"));
+    row.k_2px = row.n_pred = 0;
+    EXPECT_THAT(verdict_table({row}), HasSubstr("0.0 % of the outline, and nothing of what"));
 }
 
 TEST(VerdictTable, AMethodAloneWinsNothing) {

@@ -51,8 +51,9 @@ std::string times_as_long(const MethodSummary& a, const MethodSummary& b) {
     return fmt::format(", {:.1f} times as long", *b.draw_ms / *a.draw_ms);
 }
 
-/// "99.6 %"; "100 %" of nothing less than all.
+/// "99.6 %"; "100 %" of nothing less than all; "nothing" of nothing.
 std::string percent_text(std::int64_t part, std::int64_t whole) {
+    if (whole == 0) return "nothing";
     if (part == whole) return "100 %";
     const double share = static_cast<double>(part) / static_cast<double>(whole);
     return fmt::format("{:.1f} %", std::min(99.9, 100 * share));
