@@ -209,7 +209,7 @@ Finding stress_finding(const std::vector<AxisPoint>& points) {
     constexpr std::size_t kTold = 3;  ///< methods that a heading has room for
     const std::vector<Break> breaks = breaks_of(points);
     if (breaks.empty()) return {};
-    std::vector<std::pair<std::string, std::size_t>> count_of_axis;
+    std::map<std::string, std::size_t> count_of_axis;
     std::vector<std::string> told, level;
     for (const Break& of : breaks) {
         if (of.is_level()) {
@@ -217,33 +217,19 @@ Finding stress_finding(const std::vector<AxisPoint>& points) {
             continue;
         }
         told.push_back(break_text(of));
-        auto known = std::ranges::find(
-            count_of_axis, of.axis->name, &std::pair<std::string, std::size_t>::first);
-        if (known == count_of_axis.end()) known = count_of_axis.insert(known, {of.axis->name, 0});
-        ++known->second;
+        ++count_of_axis[of.axis->name];
     }
-    const std::string steady =
-        level.empty()
-            ? ""
-            : fmt::format("no axis breaks {}",
-                          level.size() > kTold ? fmt::format("{} methods", level.size())
-                                               : fmt::format("{}", fmt::join(level, ", ")));
+    if (!level.empty()) told.push_back(fmt::format("no axis breaks {}", fmt::join(level, ", ")));
+    const std::string all = fmt::format("{}", fmt::join(told, "; "));
     const char* rule = "First is the axis along which a method's error grows most.";
-    if (breaks.size() <= kTold || told.empty()) {
-        std::vector<std::string> parts = told;
-        if (!steady.empty()) parts.push_back(steady);
-        return {fmt::format("{}", fmt::join(parts, "; ")), rule};
-    }
-    std::ranges::stable_sort(
-        count_of_axis, std::greater<>(), &std::pair<std::string, std::size_t>::second);
-    std::vector<std::string> parts;
-    for (const auto& [axis, count] : count_of_axis)
-        parts.push_back(fmt::format("{} breaks {}", axis, count));
-    return {fmt::format("Of {} methods {} first{}",
-                        breaks.size(),
-                        fmt::join(parts, ", "),
-                        steady.empty() ? "" : "; " + steady),
-            fmt::format("{} {}.", rule, fmt::join(told, "; "))};
+    if (breaks.size() <= kTold) return {all, rule};
+    const auto most = std::ranges::max_element(
+        count_of_axis, {}, &std::pair<const std::string, std::size_t>::second);
+    return {most == count_of_axis.end()
+                ? fmt::format("No axis breaks any of {} methods", breaks.size())
+                : fmt::format(
+                      "{} breaks {} of {} methods first", most->first, most->second, breaks.size()),
+            fmt::format("{} {}.", rule, all)};
 }
 
 std::string stress_table(const std::vector<AxisPoint>& points) {

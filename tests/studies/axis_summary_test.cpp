@@ -121,9 +121,11 @@ TEST(StressFinding, OfManyMethodsSaysHowManyAnAxisBreaks) {
         for (const double value : {1.0, 2.0})
             rows.push_back(row_of(method, value, "a", value == 1 ? 90 : 20));
     const Finding finding = stress_finding(summarise_axes(rows));
-    EXPECT_EQ(finding.first, "Of 5 methods grazing breaks 4 first; no axis breaks steady");
-    EXPECT_THAT(finding.rest,
-                HasSubstr("; grazing breaks mote4 first (error .20 to .60 at 0.1°)."));
+    EXPECT_EQ(finding.first, "grazing breaks 4 of 5 methods first");
+    EXPECT_THAT(
+        finding.rest,
+        HasSubstr(
+            "; grazing breaks mote4 first (error .20 to .60 at 0.1°); no axis breaks steady."));
 }
 
 TEST(StressTable, HasALinePerAxisThatRan) {
