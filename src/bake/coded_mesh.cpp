@@ -35,6 +35,14 @@ SharedCorners shared_corners(const scene::Surface& patches, const scene::Surface
     return corners;
 }
 
+/// Numbers vertices as triangles come to them, and gives the numbers that they had.
+std::vector<std::uint32_t> put_in_order(std::vector<std::uint32_t>& indices) {
+    core::Numbering<std::uint32_t> order(indices.size() / 3);
+    for (std::uint32_t& index : indices)
+        index = order.insert(index).first;
+    return std::move(order.keys());
+}
+
 }  // namespace
 
 CodedMesh coded_mesh(const scene::PreparedScene& scene) {
@@ -61,7 +69,7 @@ CodedMesh coded_mesh(const scene::PreparedScene& scene) {
     mesh.added_count = flat.added_count(corners.vertices.size());
     mesh.indices = std::move(flat.indices);
     mesh.lookup = methods::lookup_table(scene, kCrease_deg);
-    for (std::size_t v = 0; v < flat.source_vertex.size(); ++v) {
+    for (const std::uint32_t v : put_in_order(mesh.indices)) {
         mesh.corners.push_back(corner_of[flat.source_vertex[v]]);
         mesh.surface8.push_back(static_cast<std::uint8_t>(flat.codes[v] & 0xffU));
         mesh.label8.push_back(static_cast<std::uint8_t>(flat.codes[v] >> 8U & 0xffU));

@@ -20,7 +20,8 @@ struct MovingVertices {
 /// A scene as one mesh in world space that a GPU draws with the methods' shaders: what they read is
 /// there per vertex, at default parameters of the methods.
 ///
-/// Of every triangle the first and the last vertex carry its codes (flat_codes.h).
+/// Of every triangle the first and the last vertex carry its codes (flat_codes.h). Vertices are
+/// numbered as triangles come to them.
 struct CodedMesh : MovingVertices {
     std::vector<std::uint32_t> indices;  ///< 3 a triangle, in the order of global indices
     std::vector<std::uint32_t> corners;  ///< per vertex one that it is of: 3 global index + 0..2

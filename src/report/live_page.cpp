@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,7 @@
 #include "core/provenance.h"
 #include "core/whole_file.h"
 #include "harness/images/view_images.h"
-#include "report/packed_run.h"
+#include "report/packed_mesh.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
 #include "scene/animation.h"
@@ -29,31 +28,6 @@ using Json = nlohmann::ordered_json;
 
 /// Bytes of the mesh in one element of the page, a multiple of 3; browsers limit a text's length.
 constexpr std::size_t kPart_bytes = 24'000'000;
-
-template <class T>
-void append(std::vector<std::uint8_t>& bytes, std::span<const T> values) {
-    const std::size_t at = bytes.size();
-    bytes.resize(at + values.size_bytes());
-    std::memcpy(bytes.data() + at, values.data(), values.size_bytes());
-}
-
-/// Unit vectors as 16-bit numbers, 32767 for 1, a fourth one after each.
-std::vector<std::int16_t> packed_normals(std::span<const glm::vec3> normals) {
-    std::vector<std::int16_t> packed;
-    packed.reserve(4 * normals.size());
-    for (const glm::vec3& n : normals) {
-        for (int i = 0; i < 3; ++i)
-            packed.push_back(static_cast<std::int16_t>(std::lround(n[i] * 32767)));
-        packed.push_back(0);
-    }
-    return packed;
-}
-
-void append(std::vector<std::uint8_t>& bytes, const bake::MovingVertices& vertices) {
-    append(bytes, std::span(vertices.p_world));
-    append<std::int16_t>(bytes, packed_normals(vertices.n_world));
-    append<std::int16_t>(bytes, packed_normals(vertices.hull_n_world));
-}
 
 /// When the poses of a moving scene are, that the page mixes: evenly, as often as a page has room
 /// for; never where that is too seldom.
@@ -73,23 +47,15 @@ std::vector<double> pose_times_s(const scene::Scene& scene, const bake::CodedMes
     return times;
 }
 
-/// All arrays of a mesh in a row, little-endian, as live/mesh.js takes them apart.
-std::vector<std::uint8_t> mesh_bytes(const bake::CodedMesh& mesh,
-                                     scene::Scene scene,
-                                     std::span<const double> times_s) {
-    std::vector<std::uint8_t> bytes;
-    append(bytes, mesh);
+PackedMesh packed(const bake::CodedMesh& mesh,
+                  scene::Scene scene,
+                  std::span<const double> times_s) {
+    std::vector<bake::MovingVertices> poses;
     for (const double time_s : times_s) {
         scene::pose_scene(scene, time_s);
-        append(bytes, bake::posed_vertices(mesh, scene));
+        poses.push_back(bake::posed_vertices(mesh, scene));
     }
-    append(bytes, std::span(mesh.id));
-    append(bytes, std::span(mesh.indices));
-    append(bytes, std::span(mesh.lookup.faces));
-    append(bytes, std::span(mesh.lookup.p_world));
-    append(bytes, std::span(mesh.surface8));
-    append(bytes, std::span(mesh.label8));
-    return bytes;
+    return packed_mesh(mesh, poses);
 }
 
 std::string mesh_elements(const std::vector<std::uint8_t>& bytes) {
@@ -142,6 +108,7 @@ Json scores_json(const experiment::RunData& run, const harness::SceneViews& scen
 
 Json data_json(const harness::SceneViews& scene_views,
                const bake::CodedMesh& mesh,
+               std::size_t place_count,
                std::span<const double> times_s,
                const std::optional<experiment::RunData>& run) {
     const scene::Sphere bounds = scene::bounding_sphere(scene_views.scene);
@@ -156,6 +123,7 @@ Json data_json(const harness::SceneViews& scene_views,
                  {"added_count", mesh.added_count},
                  {"face_count", mesh.lookup.faces.size()},
                  {"point_count", mesh.lookup.p_world.size()},
+                 {"place_count", place_count},
                  {"center", point(bounds.center_world)},
                  {"radius", bounds.radius},
                  {"views", views}};
@@ -193,8 +161,9 @@ std::string live_page(const harness::SceneViews& scene_views,
     check_size(scene_views.scene);
     const bake::CodedMesh mesh = bake::coded_mesh(scene_views.scene);
     const std::vector<double> times_s = pose_times_s(scene_views.scene, mesh);
+    const PackedMesh packed_arrays = packed(mesh, scene_views.scene, times_s);
     // A name may hold "</script>", and "<" stands in JSON's texts alone.
-    std::string data = data_json(scene_views, mesh, times_s, run)
+    std::string data = data_json(scene_views, mesh, packed_arrays.place_count, times_s, run)
                            .dump(-1, ' ', false, Json::error_handler_t::replace);
     for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
         data.replace(at, 1, "\\u003c");
@@ -203,7 +172,7 @@ std::string live_page(const harness::SceneViews& scene_views,
                    {"style", std::string(live_files().style)},
                    {"scripts", std::string(live_files().scripts)},
                    {"shaders", std::string(live_files().shaders)},
-                   {"mesh", mesh_elements(mesh_bytes(mesh, scene_views.scene, times_s))},
+                   {"mesh", mesh_elements(packed_arrays.bytes)},
                    {"data", data}});
 }
 

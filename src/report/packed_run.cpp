@@ -1,7 +1,6 @@
 #include "report/packed_run.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@
 #include "draw/error_image.h"
 #include "harness/images/view_images.h"
 #include "image_io/image_file.h"
+#include "report/deflate.h"
 
 namespace ink::report {
 namespace {
@@ -199,15 +199,10 @@ std::string packed_columns(const core::CsvTable& table) {
 
 std::string packed_table(const core::CsvTable& table) {
     const std::string columns = packed_columns(table);
-    uLongf size = compressBound(columns.size());
-    std::vector<Bytef> packed(size);
-    compress(packed.data(),
-             &size,
-             reinterpret_cast<const Bytef*>(columns.data()),  // NOLINT
-             columns.size());
+    const std::vector<std::uint8_t> packed = deflated(std::as_bytes(std::span(columns)));
     return fmt::format(R"({{"lines":{},"columns":"{}"}})",
                        table.records.size(),
-                       core::base64(std::as_bytes(std::span(packed).first(size))));
+                       core::base64(std::as_bytes(std::span(packed))));
 }
 
 PackedImages packed_images(const std::vector<experiment::RunData>& runs,

@@ -229,6 +229,20 @@ class LiveTest(BrowserTest):
         self.assertGreater(grey[:, :140].sum(), 100)
         self.assertEqual(grey[:, 180:].sum(), 0)
 
+    def test_fins_and_triangles_without_a_surface_are_drawn(self):
+        file, page = self.folder / "fin.obj", self.folder / "fin.html"
+        corners = [(0, 0, 0), (0, 0, 2), (1, 0.2, 0), (1, 0.2, 2), (-1, 0.4, 0), (-1, 0.4, 2), (0.1, 1, 0), (0.1, 1, 2),
+                   (-2, 1, 0), (-1, 2, 0), (0, 3, 0)]  # the last three in a row
+        faces = [(1, 2, 4), (1, 4, 3), (2, 1, 5), (2, 5, 6), (1, 2, 8), (1, 8, 7), (9, 10, 11)]
+        file.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "".join(f"f {a} {b} {c}\n" for a, b, c in faces))
+        eye = ["--eye", "3,2.5,5", "--target", "0,0.5,1"]
+        inkbench("page", file, "--size", "x".join(map(str, SIZE)), *eye, "-o", page)
+        self.open_live(page)
+        for method in ("surface_lookup", "surface8", "ids"):
+            ours, theirs = self.drawn_by_program(file, method, *eye), self.ink_of(method, self.script("return inkbench.views[0]"))
+            self.assertGreater((ours > 0).sum(), 200, method)
+            self.assertLess(((ours > 0) != (theirs > 0)).sum(), 0.025 * (ours > 0).sum(), method)
+
     def test_lines_follow_a_model_that_moves(self):
         corners = [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         sides = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5]

@@ -56,7 +56,7 @@ const API = {
     },
 };
 
-function start() {
+async function start() {
     applyTheme();
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', applyTheme);
     document.getElementById('title').textContent = DATA.scene;
@@ -65,7 +65,7 @@ function start() {
         `${count(DATA.added_count, 'of them')} for the codes alone.${DATA.run ? ` F (2 px) is that of the program's methods in the run ${DATA.run}.` : ''}`;
     document.getElementById('foot').textContent = `Made by inkbench ${DATA.version}. This page needs no other file and no network.`;
     document.getElementById('stage').append(frame);
-    const mesh = readMesh();
+    const mesh = await readMesh();
     renderer = attempt(() => new Renderer(canvas, mesh));
     if (!renderer) {
         frame.remove();
@@ -83,5 +83,6 @@ function start() {
     attempt(drawPicture);
 }
 
-start();
-document.documentElement.dataset.ready = '1';
+start().finally(() => {
+    document.documentElement.dataset.ready = '1';
+});

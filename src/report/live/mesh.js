@@ -20,26 +20,120 @@ function meshBytes() {
     return whole;
 }
 
-/// The arrays of the mesh by what they hold, as report/live_page.cpp puts them in a row.
-function readMesh() {
-    const {buffer} = meshBytes();
-    const vertices = DATA.vertex_count;
-    let at = 0;
-    const take = (Type, count) => {
-        const values = new Type(buffer, at, count);
-        at += values.byteLength;
-        return values;
+async function inflated(bytes) {
+    return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).arrayBuffer());
+}
+
+/// Reads arrays one after the other, as report/packed_mesh.cpp writes them.
+class ArrayReader {
+    constructor(bytes) {
+        this.bytes = bytes;
+        this.at = 0;
+    }
+
+    /// So many numbers, each to be added to the one `stride` before and to that of `base`.
+    take(Type, count, stride = count, base = null) {
+        const Word = {1: Uint8Array, 2: Uint16Array, 4: Uint32Array}[Type.BYTES_PER_ELEMENT];
+        const words = new Word(count);
+        for (let shift = 0; shift < 8 * Word.BYTES_PER_ELEMENT; shift += 8)
+            for (let i = 0; i < count; ++i) words[i] |= this.bytes[this.at++] << shift;
+        for (let i = 0; i < count; ++i) words[i] = words[i] >>> 1 ^ -(words[i] & 1);
+        for (let i = stride; i < count; ++i) words[i] += words[i - stride];
+        if (base) for (let i = 0; i < count; ++i) words[i] += base[i];
+        return new Type(words.buffer);
+    }
+
+    /// Numbers that lie so far below the next new one.
+    takeBelowNext(count) {
+        const numbers = this.take(Uint32Array, count);
+        for (let i = 0, next = 0; i < count; ++i) {
+            numbers[i] = next - numbers[i];
+            next = Math.max(next, numbers[i] + 1);
+        }
+        return numbers;
+    }
+}
+
+/// Of each edge of a face the other's that joins the same points, which is to be so of two; -1 of none.
+function matesOf(corners) {
+    const count = corners.length;
+    const mates = new Int32Array(count).fill(-1);
+    const slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * count))).fill(-1);
+    const next = edge => (edge % 3 === 2 ? edge - 2 : edge + 1);
+    const isSame = (a, b) => {
+        const [p, q, r, s] = [corners[a], corners[next(a)], corners[b], corners[next(b)]];
+        return (p === r && q === s) || (p === s && q === r);
     };
-    const takeMoving = () => ({position: take(Float32Array, 3 * vertices), normal: take(Int16Array, 4 * vertices),
-        hull_normal: take(Int16Array, 4 * vertices)});
+    for (let edge = 0; edge < count; ++edge) {
+        const [p, q] = [corners[edge], corners[next(edge)]];
+        let slot = (Math.imul(Math.min(p, q), 0x9e3779b1) ^ Math.imul(Math.max(p, q), 0x85ebca6b)) >>> 0;
+        slot = (slot ^ slot >>> 15) & slots.length - 1;
+        while (slots[slot] >= 0 && !isSame(slots[slot], edge)) slot = slot + 1 & slots.length - 1;
+        if (slots[slot] < 0) {
+            slots[slot] = edge;
+        } else {
+            mates[edge] = slots[slot];
+            mates[slots[slot]] = edge;
+        }
+    }
+    return mates;
+}
+
+/// Eight words a face.
+function takeFaces(arrays, count) {
+    const corners = arrays.takeBelowNext(3 * count);
+    const patches = arrays.take(Uint32Array, count, 1);
+    const rests = arrays.take(Uint32Array, count, 1);
+    const twins = arrays.take(Uint32Array, 3 * count);
+    const mates = matesOf(corners);
+    const faces = new Uint32Array(8 * count);
+    for (let edge = 0; edge < 3 * count; ++edge) {
+        const [face, i, mate] = [Math.floor(edge / 3), edge % 3, mates[edge]];
+        const isLine = (rests[face] >>> 3 * i & 7) !== 0;
+        const guess = mate < 0 ? -1 : Math.floor(mate / 3) << 2 | mate % 3 |
+            (corners[mate] === corners[edge] ? 0x80000000 : 0) | (isLine ? 0x40000000 : 0);
+        faces[8 * face + i] = corners[edge];
+        faces[8 * face + 4 + i] = twins[edge] ^ guess;
+    }
+    for (let face = 0; face < count; ++face) {
+        faces[8 * face + 3] = patches[face];
+        faces[8 * face + 7] = rests[face];
+    }
+    return faces;
+}
+
+/// Floats of whole numbers in their order.
+function floatsOf(numbers) {
+    return new Float32Array(numbers.map(number => number ^ (number >> 31 & 0x7fffffff)).buffer);
+}
+
+/// The arrays of the mesh by what they hold.
+async function readMesh() {
+    const arrays = new ArrayReader(await inflated(meshBytes()));
+    const count = DATA.vertex_count;
+    const faces = takeFaces(arrays, DATA.face_count);
+    const places = arrays.take(Int32Array, 3 * DATA.place_count, 3);
+    const placeOf = arrays.take(Uint32Array, count, 1);
+    let numbers = new Int32Array(3 * count).map((_, i) => places[3 * placeOf[Math.floor(i / 3)] + i % 3]);
+    const takeNormals = before => {
+        const normal = arrays.take(Int16Array, 4 * count, 4, before);
+        return {normal, hull_normal: arrays.take(Int16Array, 4 * count, 4, normal)};
+    };
+    const rest = {position: floatsOf(numbers), ...takeNormals(null)};
+    let {normal} = rest;
+    const poses = Array.from({length: DATA.motion?.count ?? 0}, () => {
+        numbers = arrays.take(Int32Array, 3 * count, 3, numbers);
+        const pose = {position: floatsOf(numbers), ...takeNormals(normal)};
+        ({normal} = pose);
+        return pose;
+    });
+    const at = floatsOf(places);
+    const points = new Float32Array(4 * DATA.point_count).map((_, i) => (i % 4 < 3 ? at[3 * Math.floor(i / 4) + i % 4] : 1));
     return {
-        ...takeMoving(),
-        poses: Array.from({length: DATA.motion?.count ?? 0}, takeMoving),
-        id: take(Uint32Array, vertices),
-        indices: take(Uint32Array, 3 * DATA.triangle_count),
-        faces: take(Uint32Array, 8 * DATA.face_count),
-        points: take(Float32Array, 4 * DATA.point_count),
-        surface8: take(Uint8Array, vertices),
-        label8: take(Uint8Array, vertices),
+        ...rest, poses, faces, points,
+        id: arrays.take(Uint32Array, count, 1),
+        indices: arrays.takeBelowNext(3 * DATA.triangle_count),
+        surface8: arrays.take(Uint8Array, count, 1),
+        label8: arrays.take(Uint8Array, count, 1),
     };
 }
