@@ -241,7 +241,8 @@ class LiveTest(BrowserTest):
         for method in ("surface_lookup", "surface8", "ids"):
             ours, theirs = self.drawn_by_program(file, method, *eye), self.ink_of(method, self.script("return inkbench.views[0]"))
             self.assertGreater((ours > 0).sum(), 200, method)
-            self.assertLess(((ours > 0) != (theirs > 0)).sum(), 0.025 * (ours > 0).sum(), method)
+            apart = ((ours > 0) != (theirs > 0)).sum()  # at an edge of three faces any may be the nearest
+            self.assertLess(apart, 0.05 * (ours > 0).sum(), method)
 
     def test_lines_follow_a_model_that_moves(self):
         corners = [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]
