@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -20,10 +21,6 @@ using methods::Twin;
 std::int32_t in_order(float value) {
     const auto bits = std::bit_cast<std::int32_t>(value);
     return bits ^ (bits >> 31 & 0x7fffffff);
-}
-
-void append(std::vector<std::int32_t>& numbers, const glm::vec3& p) {
-    numbers.insert(numbers.end(), {in_order(p.x), in_order(p.y), in_order(p.z)});
 }
 
 /// Arrays of whole numbers one after the other.
@@ -115,31 +112,38 @@ void put_faces(ArrayWriter& arrays, const std::vector<LookupTable::Face>& faces)
     arrays.put(twins);
 }
 
-/// Writes the points, then further places of vertices, and which of them each vertex is at.
-std::size_t put_places(ArrayWriter& arrays, const bake::CodedMesh& mesh) {
+/// Where vertices are: places by number, of which the lookup's points are the first.
+struct Places {
+    std::vector<std::int32_t> numbers;  ///< three a place, in_order()
+    std::vector<std::uint32_t> of_vertex;
+    [[nodiscard]] std::size_t count() const { return numbers.size() / 3; }
+};
+
+Places places_of(const bake::CodedMesh& mesh) {
+    Places places;
     core::Numbering<std::array<std::int32_t, 3>> known(mesh.lookup.p_world.size());
-    std::vector<std::uint32_t> place_of, place_of_vertex;
-    std::vector<std::int32_t> places;
+    std::vector<std::uint32_t> first;  // by the number that `known` gives
     const auto find = [&](const glm::vec3& p, bool is_point) {
-        const auto [number, is_new] = known.insert({in_order(p.x), in_order(p.y), in_order(p.z)});
-        if (is_new) place_of.push_back(static_cast<std::uint32_t>(places.size() / 3));
-        if (is_new || is_point) append(places, p);
-        return place_of[number];
+        const std::array<std::int32_t, 3> words = {in_order(p.x), in_order(p.y), in_order(p.z)};
+        const auto [number, is_new] = known.insert(words);
+        if (is_new) first.push_back(static_cast<std::uint32_t>(places.count()));
+        if (is_new || is_point)
+            places.numbers.insert(places.numbers.end(), words.begin(), words.end());
+        return first[number];
     };
     for (const glm::vec4& p : mesh.lookup.p_world)
         find(glm::vec3(p), true);
     for (const glm::vec3& p : mesh.p_world)
-        place_of_vertex.push_back(find(p, false));
-    arrays.put_steps(places, 3);
-    arrays.put_steps(place_of_vertex, 1);
-    return places.size() / 3;
+        places.of_vertex.push_back(find(p, false));
+    return places;
 }
 
 /// Unit vectors as 16-bit numbers, 32767 for 1, a fourth one after each.
-std::vector<std::int16_t> short_normals(std::span<const glm::vec3> normals) {
+template <class Vectors>
+std::vector<std::int16_t> short_normals(const Vectors& normals) {
     std::vector<std::int16_t> numbers;
     numbers.reserve(4 * normals.size());
-    for (const glm::vec3& n : normals) {
+    for (const auto& n : normals) {
         for (int i = 0; i < 3; ++i)
             numbers.push_back(static_cast<std::int16_t>(std::lround(n[i] * 32767)));
         numbers.push_back(0);
@@ -147,10 +151,58 @@ std::vector<std::int16_t> short_normals(std::span<const glm::vec3> normals) {
     return numbers;
 }
 
+/// The angle between two vectors within a hundred-thousandth, of whose cross product that is the
+/// length: by operations that give the same bits in JavaScript.
+double angle_rad(const glm::dvec3& u, const glm::dvec3& v, double cross) {
+    const double tangent = cross / (std::sqrt(glm::dot(u, u) * glm::dot(v, v)) + glm::dot(u, v));
+    const bool is_steep = !(tangent <= 1);  // of half the angle; of a half turn infinite or none
+    const double t = is_steep ? 1 / tangent : tangent, tt = t * t;
+    const double arc =
+        t * (0.9998660 + tt * (-0.3302995 + tt * (0.1801410 + tt * (-0.0851330 + tt * 0.0208351))));
+    return 2 * (is_steep ? 1.5707963 - arc : arc);
+}
+
+/// The normals that the triangles round the places of the vertices tell: means by their angles
+/// there, as the methods' normals are where no crease parts them.
+std::vector<std::int16_t> told_normals(const bake::CodedMesh& mesh,
+                                       std::span<const glm::vec3> p_world,
+                                       const Places& places) {
+    std::vector<glm::dvec3> sums(places.count(), glm::dvec3(0));
+    for (std::size_t at = 0; at < mesh.indices.size(); at += 3) {
+        const std::uint32_t* const v = mesh.indices.data() + at;
+        const glm::dvec3 p[] = {p_world[v[0]], p_world[v[1]], p_world[v[2]]};
+        const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+        const double length = std::sqrt(glm::dot(normal, normal));
+        if (!(length > 0)) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 u = p[(i + 1) % 3] - p[i], w = p[(i + 2) % 3] - p[i];
+            sums[places.of_vertex[v[i]]] += normal * (angle_rad(u, w, length) / length);
+        }
+    }
+    for (glm::dvec3& sum : sums) {
+        const double length = std::sqrt(glm::dot(sum, sum));
+        sum = length > 0 ? sum * (1 / length) : glm::dvec3(0);
+    }
+    std::vector<glm::dvec3> of_vertices;
+    for (const std::uint32_t place : places.of_vertex)
+        of_vertices.push_back(sums[place]);
+    return short_normals(of_vertices);
+}
+
+/// Those of hulls by what triangles tell, the others by those.
+void put_normals(ArrayWriter& arrays,
+                 const bake::CodedMesh& mesh,
+                 const bake::MovingVertices& moved,
+                 const Places& places) {
+    const std::vector<std::int16_t> hull = short_normals(moved.hull_n_world);
+    arrays.put_steps(hull, 4, told_normals(mesh, moved.p_world, places));
+    arrays.put_steps(short_normals(moved.n_world), 4, hull);
+}
+
 std::vector<std::int32_t> ordered(std::span<const glm::vec3> places) {
     std::vector<std::int32_t> numbers;
     for (const glm::vec3& p : places)
-        append(numbers, p);
+        numbers.insert(numbers.end(), {in_order(p.x), in_order(p.y), in_order(p.z)});
     return numbers;
 }
 
@@ -159,23 +211,21 @@ std::vector<std::int32_t> ordered(std::span<const glm::vec3> places) {
 PackedMesh packed_mesh(const bake::CodedMesh& mesh, std::span<const bake::MovingVertices> poses) {
     ArrayWriter arrays;
     put_faces(arrays, mesh.lookup.faces);
-    const std::size_t place_count = put_places(arrays, mesh);
+    const Places at = places_of(mesh);
+    arrays.put_steps(at.numbers, 3);
+    arrays.put_steps(at.of_vertex, 1);
+    arrays.put(below_next(mesh.indices));
+    put_normals(arrays, mesh, mesh, at);
     std::vector<std::int32_t> places = ordered(mesh.p_world);
-    std::vector<std::int16_t> normals = short_normals(mesh.n_world);
-    arrays.put_steps(normals, 4);
-    arrays.put_steps(short_normals(mesh.hull_n_world), 4, normals);
     for (const bake::MovingVertices& pose : poses) {
         const auto places_before = std::exchange(places, ordered(pose.p_world));
-        const auto normals_before = std::exchange(normals, short_normals(pose.n_world));
         arrays.put_steps(places, 3, places_before);
-        arrays.put_steps(normals, 4, normals_before);
-        arrays.put_steps(short_normals(pose.hull_n_world), 4, normals);
+        put_normals(arrays, mesh, pose, at);
     }
     arrays.put_steps(mesh.id, 1);
-    arrays.put(below_next(mesh.indices));
     arrays.put_steps(mesh.surface8, 1);
     arrays.put_steps(mesh.label8, 1);
-    return {deflated(std::as_bytes(std::span(arrays.bytes()))), place_count};
+    return {deflated(std::as_bytes(std::span(arrays.bytes()))), at.count()};
 }
 
 }  // namespace ink::report

@@ -17,7 +17,7 @@ TEST(PackedMesh, OfALargeModelTakesFewBytesATriangle) {
     const bake::CodedMesh mesh = coded(catalogue::make_icosphere(1, 7));
     ASSERT_GT(mesh.triangle_count(), 200'000U);
     // As plain numbers 72: a page with a million triangles is to stay below 20 MB, of base64.
-    EXPECT_LT(packed_mesh(mesh, {}).bytes.size(), 15 * mesh.triangle_count());
+    EXPECT_LT(packed_mesh(mesh, {}).bytes.size(), 12 * mesh.triangle_count());
 }
 
 TEST(PackedMesh, OfAPoseLikeTheOneBeforeTakesNothing) {

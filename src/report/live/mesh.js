@@ -107,6 +107,51 @@ function floatsOf(numbers) {
     return new Float32Array(numbers.map(number => number ^ (number >> 31 & 0x7fffffff)).buffer);
 }
 
+/// As angle_rad in report/packed_mesh.cpp, bit by bit: of two vectors with these dot products and this cross product.
+function angleOf(uu, vv, uv, cross) {
+    const tangent = cross / (Math.sqrt(uu * vv) + uv);
+    const isSteep = !(tangent <= 1);
+    const t = isSteep ? 1 / tangent : tangent;
+    const tt = t * t;
+    const arc = t * (0.9998660 + tt * (-0.3302995 + tt * (0.1801410 + tt * (-0.0851330 + tt * 0.0208351))));
+    return 2 * (isSteep ? 1.5707963 - arc : arc);
+}
+
+/// As told_normals there: what the triangles round the vertices' places tell of their normals.
+function toldNormals(p, indices, placeOf) {
+    const sums = new Float64Array(3 * DATA.place_count);
+    const add = (vertex, x, y, z, share) => {
+        const at = 3 * placeOf[vertex];
+        sums[at] += x * share;
+        sums[at + 1] += y * share;
+        sums[at + 2] += z * share;
+    };
+    const dot = (x, y, z, u, v, w) => x * u + y * v + z * w;
+    for (let at = 0; at < indices.length; at += 3) {
+        const a = 3 * indices[at], b = 3 * indices[at + 1], c = 3 * indices[at + 2];
+        const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2]; // from a to b
+        const vx = p[c] - p[b], vy = p[c + 1] - p[b + 1], vz = p[c + 2] - p[b + 2]; // from b to c
+        const wx = p[a] - p[c], wy = p[a + 1] - p[c + 1], wz = p[a + 2] - p[c + 2]; // from c to a
+        const x = wy * uz - uy * wz, y = wz * ux - uz * wx, z = wx * uy - ux * wy;
+        const length = Math.sqrt(dot(x, y, z, x, y, z));
+        if (!(length > 0)) continue;
+        const uu = dot(ux, uy, uz, ux, uy, uz), vv = dot(vx, vy, vz, vx, vy, vz), ww = dot(wx, wy, wz, wx, wy, wz);
+        add(indices[at], x, y, z, angleOf(uu, ww, -dot(ux, uy, uz, wx, wy, wz), length) / length);
+        add(indices[at + 1], x, y, z, angleOf(vv, uu, -dot(vx, vy, vz, ux, uy, uz), length) / length);
+        add(indices[at + 2], x, y, z, angleOf(ww, vv, -dot(wx, wy, wz, vx, vy, vz), length) / length);
+    }
+    for (let at = 0; at < sums.length; at += 3) {
+        const length = Math.sqrt(dot(sums[at], sums[at + 1], sums[at + 2], sums[at], sums[at + 1], sums[at + 2]));
+        for (let k = at; k < at + 3; ++k) sums[k] *= length > 0 ? 1 / length : 0;
+    }
+    const told = new Int16Array(4 * placeOf.length);
+    for (let i = 0; i < told.length; ++i) {
+        const value = i % 4 < 3 ? 32767 * sums[3 * placeOf[i >> 2] + i % 4] : 0;
+        told[i] = Math.sign(value) * Math.round(Math.abs(value)); // halves away from 0
+    }
+    return told;
+}
+
 /// The arrays of the mesh by what they hold.
 async function readMesh() {
     const arrays = new ArrayReader(await inflated(meshBytes()));
@@ -114,25 +159,23 @@ async function readMesh() {
     const faces = takeFaces(arrays, DATA.face_count);
     const places = arrays.take(Int32Array, 3 * DATA.place_count, 3);
     const placeOf = arrays.take(Uint32Array, count, 1);
-    let numbers = new Int32Array(3 * count).map((_, i) => places[3 * placeOf[Math.floor(i / 3)] + i % 3]);
-    const takeNormals = before => {
-        const normal = arrays.take(Int16Array, 4 * count, 4, before);
-        return {normal, hull_normal: arrays.take(Int16Array, 4 * count, 4, normal)};
+    const indices = arrays.takeBelowNext(3 * DATA.triangle_count);
+    const takeMoved = numbers => {
+        const position = floatsOf(numbers);
+        const hull = arrays.take(Int16Array, 4 * count, 4, toldNormals(position, indices, placeOf));
+        return {position, hull_normal: hull, normal: arrays.take(Int16Array, 4 * count, 4, hull)};
     };
-    const rest = {position: floatsOf(numbers), ...takeNormals(null)};
-    let {normal} = rest;
+    let numbers = new Int32Array(3 * count).map((_, i) => places[3 * placeOf[Math.floor(i / 3)] + i % 3]);
+    const rest = takeMoved(numbers);
     const poses = Array.from({length: DATA.motion?.count ?? 0}, () => {
         numbers = arrays.take(Int32Array, 3 * count, 3, numbers);
-        const pose = {position: floatsOf(numbers), ...takeNormals(normal)};
-        ({normal} = pose);
-        return pose;
+        return takeMoved(numbers);
     });
     const at = floatsOf(places);
     const points = new Float32Array(4 * DATA.point_count).map((_, i) => (i % 4 < 3 ? at[3 * Math.floor(i / 4) + i % 4] : 1));
     return {
-        ...rest, poses, faces, points,
+        ...rest, poses, faces, points, indices,
         id: arrays.take(Uint32Array, count, 1),
-        indices: arrays.takeBelowNext(3 * DATA.triangle_count),
         surface8: arrays.take(Uint8Array, count, 1),
         label8: arrays.take(Uint8Array, count, 1),
     };
