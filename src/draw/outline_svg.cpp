@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/escape.h"
@@ -24,8 +25,13 @@ constexpr NamedKind kKinds[] = {{truth::ContourKind::none, ""},
                                 {truth::ContourKind::other_object, "other_object"},
                                 {truth::ContourKind::self, "self"}};
 
-std::string coordinate(double px) {
-    return svg_number(px, 3);
+std::string points_of(const truth::Polyline& line, int decimals) {
+    std::string points;
+    for (const truth::CurvePoint& p : line.points) {
+        if (!points.empty()) points += ' ';
+        points += svg_number(p.x_px, decimals) + ',' + svg_number(p.y_px, decimals);
+    }
+    return points;
 }
 
 template <class Text>
@@ -37,11 +43,6 @@ std::string joined(const truth::Polyline& line, const truth::Truth& truth, Text 
 }
 
 std::string polyline(const truth::Polyline& line, const truth::Truth& truth) {
-    std::string points;
-    for (const truth::CurvePoint& p : line.points) {
-        if (!points.empty()) points += ' ';
-        points += fmt::format("{},{}", coordinate(p.x_px), coordinate(p.y_px));
-    }
     const auto edge = [](const truth::Curve& c) {
         return c.edge == truth::kNoEdge ? std::string("-") : fmt::format("{}", c.edge);
     };
@@ -50,7 +51,7 @@ std::string polyline(const truth::Polyline& line, const truth::Truth& truth) {
     };
     const auto gap = [](const truth::Curve& c) { return fmt::format("{:.4g}", c.gap); };
     std::string text = fmt::format(R"(<polyline points="{}" data-edge="{}" data-dihedral-deg="{}")",
-                                   points,
+                                   points_of(line, 3),
                                    joined(line, truth, edge),
                                    joined(line, truth, deviation));
     if (line.empty_side != 0) {
@@ -107,6 +108,19 @@ std::string outline_svg(const truth::Truth& truth,
         core::escape(fmt::format("{} {}: the visible lines", scene_name, view.camera.name)),
         kPaper.hex,
         body);
+}
+
+std::vector<ClassPath> class_paths(const truth::Truth& truth) {
+    const std::vector<truth::Polyline> lines = truth::join_curves(truth.curves);
+    std::vector<ClassPath> paths;
+    for (const truth::LineClass line_class : kDrawnOrder) {
+        std::string path;
+        for (const truth::Polyline& line : lines) {
+            if (line.line_class == line_class) path += 'M' + points_of(line, 2);
+        }
+        if (!path.empty()) paths.push_back({truth::name(line_class), std::move(path)});
+    }
+    return paths;
 }
 
 }  // namespace ink::draw

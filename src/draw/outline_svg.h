@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "truth/truth.h"
 
@@ -16,5 +18,14 @@ namespace ink::draw {
 [[nodiscard]] std::string outline_svg(const truth::Truth& truth,
                                       const std::string& scene_name,
                                       const scene::View& view);
+
+/// The visible lines of a class as the path of an SVG in the image's own coordinates, px.
+struct ClassPath {
+    std::string_view line_class;
+    std::string path;  ///< as "M1,2 3,4M5,6 7,8", rounded to 1/100 px
+};
+
+/// The classes that a truth has lines of, in the order of drawing.
+[[nodiscard]] std::vector<ClassPath> class_paths(const truth::Truth& truth);
 
 }  // namespace ink::draw

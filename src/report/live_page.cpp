@@ -14,7 +14,6 @@
 #include "core/error.h"
 #include "core/escape.h"
 #include "core/provenance.h"
-#include "core/whole_file.h"
 #include "harness/images/view_images.h"
 #include "report/packed_mesh.h"
 #include "report/page_files.h"
@@ -73,13 +72,16 @@ Json point(const glm::dvec3& p) {
     return {p.x, p.y, p.z};
 }
 
-Json view_json(const scene::View& view) {
+Json view_json(const scene::View& view, const ViewLines& lines) {
     const scene::Camera& camera = view.camera;
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row)
         rows.push_back({camera.view_from_world[0][row],
                         camera.view_from_world[1][row],
                         camera.view_from_world[2][row]});
+    Json paths = Json::object();
+    for (const draw::ClassPath& path : lines)
+        paths[std::string(path.line_class)] = path.path;
     return {{"name", camera.name},
             {"width_px", view.width_px},
             {"height_px", view.height_px},
@@ -88,7 +90,8 @@ Json view_json(const scene::View& view) {
             {"fov_y_rad", camera.fov_y_rad},
             {"height_world", camera.height_world},
             {"near", camera.near},
-            {"far", camera.far}};
+            {"far", camera.far},
+            {"lines", paths}};
 }
 
 /// What the run's rows of that scene say by view and method: F and soft F, or why there is none.
@@ -110,11 +113,12 @@ Json data_json(const harness::SceneViews& scene_views,
                const bake::CodedMesh& mesh,
                std::size_t place_count,
                std::span<const double> times_s,
-               const std::optional<experiment::RunData>& run) {
+               const std::optional<experiment::RunData>& run,
+               std::span<const ViewLines> lines) {
     const scene::Sphere bounds = scene::bounding_sphere(scene_views.scene);
     Json views = Json::array();
-    for (const scene::View& view : scene_views.views)
-        views.push_back(view_json(view));
+    for (std::size_t i = 0; i < scene_views.views.size(); ++i)
+        views.push_back(view_json(scene_views.views[i], lines.empty() ? ViewLines() : lines[i]));
     Json data = {{"version", core::provenance().version},
                  {"scene", scene_views.scene.name},
                  {"origin", point(scene_views.scene.origin)},
@@ -157,13 +161,14 @@ void check_size(const scene::Scene& scene) {
 }  // namespace
 
 std::string live_page(const harness::SceneViews& scene_views,
-                      const std::optional<experiment::RunData>& run) {
+                      const std::optional<experiment::RunData>& run,
+                      std::span<const ViewLines> lines) {
     check_size(scene_views.scene);
     const bake::CodedMesh mesh = bake::coded_mesh(scene_views.scene);
     const std::vector<double> times_s = pose_times_s(scene_views.scene, mesh);
     const PackedMesh packed_arrays = packed(mesh, scene_views.scene, times_s);
     // A name may hold "</script>", and "<" stands in JSON's texts alone.
-    std::string data = data_json(scene_views, mesh, packed_arrays.place_count, times_s, run)
+    std::string data = data_json(scene_views, mesh, packed_arrays.place_count, times_s, run, lines)
                            .dump(-1, ' ', false, Json::error_handler_t::replace);
     for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
         data.replace(at, 1, "\\u003c");
@@ -178,12 +183,6 @@ std::string live_page(const harness::SceneViews& scene_views,
 
 std::filesystem::path live_page_path(const std::string& scene_name) {
     return std::filesystem::path("live") / (harness::file_name(scene_name) + ".html");
-}
-
-void write_live_page(const harness::SceneViews& scene_views,
-                     const std::optional<experiment::RunData>& run,
-                     const std::filesystem::path& file) {
-    core::write_whole_file(file, live_page(scene_views, run));
 }
 
 }  // namespace ink::report

@@ -3,8 +3,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "draw/outline_svg.h"
 #include "experiment/run_data.h"
 #include "harness/suite/suite.h"
 
@@ -14,24 +17,24 @@ namespace ink::report {
 /// twice while they read it.
 inline constexpr std::size_t kMostLiveTriangles = 8'000'000;
 
+/// The exact lines of a view; none where they were not traced.
+using ViewLines = std::vector<draw::ClassPath>;
+
 /// The page that draws a scene on the reader's own GPU with the methods' shaders, side by side: one
 /// HTML file that needs no other and no network.
 ///
 /// It holds the scene as it stands, with the codes that methods draw at default parameters
 /// (bake/coded_mesh.h), its views, and of one that moves even poses, which play. With a run, it
 /// shows each method's F, or soft F of ink, at each of its views that the run has of a scene of
-/// that name, or why there is none. What it shows is drawn by its own scripts (live/). Throws
+/// that name, or why there is none; with `lines`, as many as views, it lays those over the picture.
+/// What it shows is drawn by its own scripts (live/). Throws
 /// core::Error (where = the scene) for a scene without triangles, or of more than
 /// kMostLiveTriangles.
 [[nodiscard]] std::string live_page(const harness::SceneViews& scene_views,
-                                    const std::optional<experiment::RunData>& run);
+                                    const std::optional<experiment::RunData>& run,
+                                    std::span<const ViewLines> lines = {});
 
 /// Where the page of a scene lies for a run's own page to link to it, below the run's folder.
 [[nodiscard]] std::filesystem::path live_page_path(const std::string& scene_name);
-
-/// Writes live_page() to `file`, whole or not at all. Throws core::Error if it cannot be written.
-void write_live_page(const harness::SceneViews& scene_views,
-                     const std::optional<experiment::RunData>& run,
-                     const std::filesystem::path& file);
 
 }  // namespace ink::report

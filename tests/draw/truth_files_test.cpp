@@ -171,6 +171,16 @@ TEST(OutlineSvg, IsWellFormedAndSaysWhatEachLineIs) {
     EXPECT_THAT(svg, Not(HasSubstr("data-class=\"crease\"")));
 }
 
+TEST(OutlineSvg, AClassIsOnePath) {
+    const std::vector<ClassPath> paths = class_paths(traced(cube()));
+    ASSERT_EQ(paths.size(), 1U);
+    EXPECT_EQ(paths[0].line_class, "contour");
+    // The square of 24 px in the middle of the frame.
+    for (const char* corner : {"20,12", "44,12", "44,36", "20,36"})
+        EXPECT_THAT(paths[0].path, HasSubstr(corner));
+    EXPECT_TRUE(class_paths(truth::Truth()).empty());
+}
+
 TEST(OutlineSvg, OfNothingIsAnEmptySheet) {
     truth::Truth nothing;
     scene::View view;

@@ -201,6 +201,33 @@ class LiveTest(BrowserTest):
                 controls(self.browser, root)  # a new page knows none yet
         self.assertGreater(worked, 30)
 
+    def test_exact_lines_lie_on_those_of_the_best_method(self):
+        self.open_live()
+
+        def marks(**choices):
+            self.script("choose({left: 'surface_lookup', right: 'surface8', cut: 1, hasFill: false, ...arguments[0]})", choices)
+            self.settle()
+            is_mark = self.picture().min(axis=2) < 160
+            is_mark[:len(is_mark) // 8], is_mark[:, -20:] = False, False  # labels, divider
+            return is_mark
+
+        def grown(is_mark):
+            return numpy.array([numpy.roll(is_mark, (y, x), (0, 1)) for y in range(-3, 4) for x in range(-3, 4)]).any(axis=0)
+
+        lines, exact = marks(), marks(hasLines=False, hasExactLines=True)
+        self.assertEqual(self.find("#exact").text, "Exact lines: intersection, crease, contour")
+        self.assertGreater(exact.sum(), 300)
+        self.assertGreater((exact & grown(lines)).sum(), 0.95 * exact.sum())
+        self.assertGreater((lines & grown(exact)).sum(), 0.95 * lines.sum())
+        self.find("canvas").send_keys(Keys.ARROW_LEFT)  # no view of the page
+        self.settle()
+        self.assertEqual(self.find_all("svg.exact path"), [])
+        self.assertNotIn("Exact lines", self.find("#controls").text)
+
+    def test_a_page_says_how_large_it_is_and_when_it_was_ready(self):
+        self.open_live()
+        self.assertRegex(self.find("#foot").text, r"It has 0\.\d MB and was ready after \d+\.\d s\.")
+
     def test_sizes_up_to_4k(self):
         self.open_live()
         self.script("choose({left: 'surface8', right: 'mote4', size: [3840, 2160]})")  # on software others take long

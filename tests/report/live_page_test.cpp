@@ -64,6 +64,13 @@ TEST(LivePage, HoldsTheMeshItsViewsAndTheShaders) {
     EXPECT_EQ(page.find("</script>", begin) - begin, (bytes + 2) / 3 * 4);
 }
 
+TEST(LivePage, HasTheExactLinesThatItIsGivenByViewAndClass) {
+    const std::vector<ViewLines> lines = {{{"contour", "M1,2 3,4"}, {"crease", "M5,6 7,8"}}};
+    const nlohmann::json data = data_of(live_page(cube_views(), std::nullopt, lines));
+    EXPECT_EQ(data["views"][0]["lines"].dump(), R"({"contour":"M1,2 3,4","crease":"M5,6 7,8"})");
+    EXPECT_TRUE(data_of(live_page(cube_views(), std::nullopt))["views"][0]["lines"].empty());
+}
+
 TEST(LivePage, ShowsWhatTheRunScoredAtTheViewsOfThatScene) {
     experiment::RunData run;
     run.folder = "runs/made up";

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cli/commands/commands.h"
 #include "cli/options/command_rows.h"
@@ -11,8 +12,12 @@
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
+#include "core/whole_file.h"
+#include "draw/outline_svg.h"
+#include "experiment/experiment_plan.h"
 #include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
+#include "harness/truths/tracing.h"
 #include "report/card.h"
 #include "report/live_page.h"
 
@@ -25,7 +30,30 @@ struct PageArgs {
     std::string run;
     std::string file;
     std::string card;
+    bool no_truth = false;
+    CacheOptions cache;
 };
+
+/// The exact lines of each view; of one that is too large none, which is said.
+std::vector<report::ViewLines> traced_lines(const harness::SceneViews& scene_views,
+                                            harness::TraceOptions options) {
+    harness::report_progress(options.truth);
+    truth::SceneModel model(scene_views.scene, options.truth);
+    std::vector<report::ViewLines> lines;
+    for (const scene::View& view : scene_views.views) {
+        lines.emplace_back();
+        try {
+            lines.back() = draw::class_paths(harness::trace_view(model, view, options).traced);
+        } catch (const truth::TooLarge& reason) {
+            fmt::print(stderr,
+                       "inkbench: {} {}: no exact lines: {}\n",
+                       scene_views.scene.name,
+                       view.camera.name,
+                       reason.what());
+        }
+    }
+    return lines;
+}
 
 void run_page(PageArgs args) {
     if (!args.card.empty()) {
@@ -38,8 +66,8 @@ void run_page(PageArgs args) {
     const std::string name = one_scene(args.scene, "page");
     std::optional<experiment::RunData> run;
     if (!args.run.empty()) run = experiment::read_run(args.run);
-    const harness::SceneViews scene_views =
-        harness::load_scenes({name}, views_of(args.options.read())).front();
+    const experiment::Experiment asked = args.options.read();
+    const harness::SceneViews scene_views = harness::load_scenes({name}, views_of(asked)).front();
     print_notes(scene_views);
     if (args.file.empty()) {
         const std::filesystem::path file =
@@ -47,8 +75,12 @@ void run_page(PageArgs args) {
         std::filesystem::create_directories(file.parent_path());
         args.file = file.string();
     }
-    report::write_live_page(scene_views, run, args.file);
-    fmt::print("{}\n", args.file);
+    std::vector<report::ViewLines> lines;
+    if (!args.no_truth)
+        lines = traced_lines(scene_views, experiment::trace_of(asked, cache_folder(args.cache)));
+    const std::string page = report::live_page(scene_views, run, lines);
+    core::write_whole_file(args.file, page);
+    fmt::print("{}: {:.1f} MB\n", args.file, static_cast<double>(page.size()) / 1e6);
 }
 
 }  // namespace
@@ -69,10 +101,12 @@ void add_page_command(CLI::App& app) {
               args->run,
               "DIR",
               "Folder of a run: the page shows what its methods scored at these views");
+    rows.flag("--no-truth", args->no_truth, "Trace no exact lines to lay over the picture");
     rows.text("--card",
               args->card,
               "FILE",
               "Print the times in a card that such a page gave; no page is made");
+    add_cache_options(*command, args->cache);
     command->footer(
         "The page is one file and opens without a network, in any browser with WebGL 2. It has "
         "the\n"

@@ -98,6 +98,8 @@ function pictureControls() {
         ...motion ? [toggleButton('Play', state.isPlaying, play)] : [],
         toggleButton('Fill', state.hasFill, hasFill => choose({hasFill})),
         toggleButton('Lines', state.hasLines, hasLines => choose({hasLines})),
+        ...exactPaths().length > 0 ? [toggleButton('Exact lines', state.hasExactLines, hasExactLines => choose({hasExactLines}),
+            'What a ray tracer finds at this view')] : [],
         chooser('Theme', [['auto', 'as the system'], ['light', 'light'], ['dark', 'dark']], state.theme, theme => {
             choose({theme});
             applyTheme();

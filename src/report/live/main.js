@@ -64,6 +64,7 @@ async function start() {
     document.getElementById('facts').textContent = `${count(DATA.triangle_count, 'triangles')}, ${count(DATA.vertex_count, 'vertices')}, ` +
         `${count(DATA.added_count, 'of them')} for the codes alone.${DATA.run ? ` F (2 px) is that of the program's methods in the run ${DATA.run}.` : ''}`;
     document.getElementById('foot').textContent = `Made by inkbench ${DATA.version}. This page needs no other file and no network.`;
+    const size = [...document.scripts].reduce((sum, script) => sum + script.textContent.length, 0);
     document.getElementById('stage').append(frame);
     const mesh = await readMesh();
     renderer = attempt(() => new Renderer(canvas, mesh));
@@ -81,6 +82,7 @@ async function start() {
     addEventListener('resize', redraw);
     drawControls();
     attempt(drawPicture);
+    document.getElementById('foot').append(` It has ${(size / 1e6).toFixed(1)} MB and was ready after ${(performance.now() / 1000).toFixed(1)} s.`);
 }
 
 start().finally(() => {

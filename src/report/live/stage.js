@@ -8,7 +8,7 @@ const ASKED_SIZE = [DATA.views[0].width_px, DATA.views[0].height_px];
 const state = {
     left: 'chords', right: 'surface_lookup', layout: 'two', cut: 0.5, view: DATA.views[0].name,
     size: null, lineWidthPx: 1, colour: '#000000',
-    hasFill: true, hasLines: true, theme: 'auto', times: {}, card: null, isPlaying: false, time: null,
+    hasFill: true, hasLines: true, hasExactLines: false, theme: 'auto', times: {}, card: null, isPlaying: false, time: null,
 };
 let camera = cameraOfView(DATA.views[0]);
 let renderer = null;
@@ -19,7 +19,8 @@ const canvas = element('canvas', {class: 'live', tabindex: 0, role: 'img',
 const divider = element('div', {class: 'divider', role: 'slider', tabindex: 0, 'aria-label': 'Divider',
     'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-orientation': 'horizontal'});
 const labels = element('div', {class: 'labels', 'aria-hidden': 'true'});
-const frame = element('div', {class: 'live-frame'}, canvas, labels, divider);
+const exactLines = document.querySelector('svg.exact');
+const frame = element('div', {class: 'live-frame'}, canvas, exactLines, labels, divider);
 
 /// What the run says of a method here: {f, soft_f}, or {why} there is none.
 function scoreOf(method) {
@@ -85,6 +86,29 @@ function placeLabels({width, height, parts}) {
     divider.setAttribute('aria-valuetext', `${state.left} left of ${Math.round(100 * state.cut)} %, ${state.right} right of it`);
 }
 
+/// The view's exact lines by class, as paths; none once the camera or the model has moved.
+function exactPaths() {
+    const view = state.layout === 'two' && DATA.views.find(({name}) => name === state.view);
+    return Object.entries(view?.lines ?? {});
+}
+
+/// Lays them over the picture: as high as it, in its middle.
+function placeExactLines() {
+    const paths = state.hasExactLines ? exactPaths() : [];
+    exactLines.replaceChildren(...paths.map(([name, d]) => {
+        const path = document.createElementNS(exactLines.namespaceURI, 'path');
+        path.setAttribute('class', name);
+        path.setAttribute('d', d);
+        return path;
+    }));
+    document.getElementById('exact').replaceChildren(...paths.length === 0 ? [] : ['Exact lines: ',
+        ...paths.flatMap(([name], i) => [i > 0 ? ', ' : '', element('span', {class: `exact ${name}`}, name)])]);
+    if (paths.length === 0) return;
+    const {width_px: width, height_px: height} = DATA.views.find(({name}) => name === state.view);
+    exactLines.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    exactLines.setAttribute('preserveAspectRatio', `xMidYMid ${canvas.width * height < width * canvas.height ? 'slice' : 'meet'}`);
+}
+
 let shownSize = '';
 
 function drawPicture() {
@@ -108,14 +132,15 @@ function drawPicture() {
             renderer.show(fill, lines, part, seen, METHODS[method].steps ? {...looks, lineWidthPx: 1} : looks);
         }
     placeLabels(picture);
+    placeExactLines();
 }
 
-/// Near and far of all cameras hold every pose from here on, and scores are of the model at rest.
+/// Near and far of all cameras hold every pose from here on; scores and exact lines are of the model at rest.
 function leaveRest() {
     Object.assign(DATA, {center: DATA.motion.center, radius: DATA.motion.radius, scores: null});
     for (const view of DATA.views) {
         const {near, far} = fitted(cameraOfView(view));
-        Object.assign(view, {near, far});
+        Object.assign(view, {near, far, lines: {}});
     }
     camera = fitted(camera);
 }
