@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/provenance.h"
+#include "core/srgb.h"
 #include "draw/error_image.h"
 #include "harness/cells/cell.h"
 #include "harness/truths/tracing.h"
@@ -24,17 +25,11 @@ using image_io::ExrChannel;
 using image_io::ExrFile;
 using image_io::HalfImage;
 
-/// What a screen shows for an 8-bit value, 0..1 (IEC 61966-2-1): OpenEXR holds linear light.
-float linear_light(std::uint8_t value) {
-    const double v = value / 255.0;
-    return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-}
-
-/// `layer` is "" for the image itself, else a name with its dot.
+/// As light, which OpenEXR holds; `layer` is "" for the image itself, else a name with its dot.
 void add_colours(const RgbImage& image, const std::string& layer, ExrFile& file) {
     std::array<float, 256> light{};
     for (std::size_t v = 0; v < light.size(); ++v)
-        light[v] = linear_light(static_cast<std::uint8_t>(v));
+        light[v] = static_cast<float>(core::light_of(static_cast<double>(v) / 255));
     constexpr std::array<const char*, 3> kNames = {"R", "G", "B"};
     for (int c = 0; c < 3; ++c) {
         const auto channel = [&](const glm::u8vec3& rgb) { return light[rgb[c]]; };
@@ -175,6 +170,7 @@ void write_drawing_exr(const harness::SceneViews& scene_views,
         add_colours(layer.rgb, layer.name + ".", file);
         if (!layer.note.empty()) file.attributes.push_back({"ink:" + layer.name, layer.note});
     }
+    file.attributes.push_back({image_io::kMixedText, std::string("linear")});
     file.attributes.push_back({"ink:method", config.info->name});
     file.attributes.push_back(
         {"ink:params", harness::join_params(config.info->complete(config.settings))});

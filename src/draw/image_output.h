@@ -7,7 +7,8 @@
 
 namespace ink::draw {
 
-/// Writes a finished drawing as PNG. Throws core::Error if the file cannot be written.
+/// Writes a finished drawing as PNG, which says how its ink is mixed. Throws core::Error if the
+/// file cannot be written.
 void write_drawing(const RgbImage& image, const std::filesystem::path& path);
 
 /// Writes bare edge responses as an 8-bit grey PNG, which `inkbench score` takes.

@@ -90,10 +90,7 @@ GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec
         gray.pixels.data()[i] = channels < 3 ? pixel[0] : luma(Rgb(pixel[0], pixel[1], pixel[2]));
         if (channels >= 3 && (pixel[0] != pixel[1] || pixel[1] != pixel[2])) gray.has_colour = true;
     }
-    for (const OIIO::ParamValue& param : spec.extra_attribs) {
-        if (param.type() == OIIO::TypeDesc::STRING)
-            gray.texts[param.name().string()] = param.get_string();
-    }
+    gray.texts = texts_of(spec);
     return gray;
 }
 
@@ -148,6 +145,15 @@ void write(const Samples& samples, const fs::path& path) {
 
 }  // namespace
 
+Texts texts_of(const OIIO::ImageSpec& spec) {
+    Texts texts;
+    for (const OIIO::ParamValue& param : spec.extra_attribs) {
+        if (param.type() == OIIO::TypeDesc::STRING)
+            texts[param.name().string()] = param.get_string();
+    }
+    return texts;
+}
+
 OpenFile open_image(const fs::path& path, const char* accepted) {
     check_file(path, accepted);
     check_not_cut(path, accepted);
@@ -192,8 +198,10 @@ void write_png(const core::Image<std::uint8_t>& image, const fs::path& path, con
     samples.texts = &texts;
     write(samples, path);
 }
-void write_png(const core::Image<Rgb>& image, const fs::path& path) {
-    write(samples_of(image), path);
+void write_png(const core::Image<Rgb>& image, const fs::path& path, const Texts& texts) {
+    Samples samples = samples_of(image);
+    samples.texts = &texts;
+    write(samples, path);
 }
 
 }  // namespace ink::image_io

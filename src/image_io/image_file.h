@@ -26,6 +26,10 @@ using Rgb = glm::u8vec3;
 /// Texts of an image file by name: what a PNG has in its text chunks.
 using Texts = std::map<std::string, std::string>;
 
+/// Says of an image, as "linear", that lines cover of a grey pixel what it lacks of the light of
+/// white.
+inline constexpr const char* kMixedText = "ink:mixed";
+
 /// A file as grey, and whether it was more than that.
 struct GrayFile {
     core::Image<std::uint8_t> pixels;
@@ -51,7 +55,9 @@ struct GrayFile {
 void write_png(const core::Image<std::uint8_t>& image,
                const std::filesystem::path& path,
                const Texts& texts = {});
-void write_png(const core::Image<Rgb>& image, const std::filesystem::path& path);
+void write_png(const core::Image<Rgb>& image,
+               const std::filesystem::path& path,
+               const Texts& texts = {});
 
 /// The same file as bytes, for pages that carry their images. Throws core::Error on an empty
 /// image.

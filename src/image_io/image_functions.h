@@ -18,7 +18,7 @@ struct ImageFunctions {
     void (*write_gray)(const core::Image<std::uint8_t>&,
                        const std::filesystem::path&,
                        const Texts&);
-    void (*write_rgb)(const core::Image<Rgb>&, const std::filesystem::path&);
+    void (*write_rgb)(const core::Image<Rgb>&, const std::filesystem::path&, const Texts&);
     std::vector<std::uint8_t> (*encode_gray)(const core::Image<std::uint8_t>&);
     std::vector<std::uint8_t> (*encode_rgb)(const core::Image<Rgb>&);
 };

@@ -65,8 +65,8 @@ void write_png(const core::Image<std::uint8_t>& image, const fs::path& path, con
     loaded().write_gray(image, path, texts);
 }
 
-void write_png(const core::Image<Rgb>& image, const fs::path& path) {
-    loaded().write_rgb(image, path);
+void write_png(const core::Image<Rgb>& image, const fs::path& path, const Texts& texts) {
+    loaded().write_rgb(image, path, texts);
 }
 
 std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {

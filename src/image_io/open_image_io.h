@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "image_io/image_file.h"
 
 namespace ink::image_io {
 
@@ -26,6 +27,9 @@ namespace ink::image_io {
     if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
     return text;
 }
+
+/// The texts of a file's header.
+[[nodiscard]] Texts texts_of(const OIIO::ImageSpec& spec);
 
 /// A file that was opened, and what its library says of it.
 struct OpenFile {

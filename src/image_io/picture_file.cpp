@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/srgb.h"
 #include "image_io/open_image_io.h"
 
 namespace ink::image_io {
@@ -56,11 +57,11 @@ PictureChannels find_channels(const OIIO::ImageSpec& spec, const fs::path& path)
     return found;
 }
 
-/// What a screen shows for linear light (IEC 61966-2-1), 0..1.
+/// What a screen shows for light, 0..1.
 float shown(float light) {
     if (light <= 0) return 0;
     if (light >= 1) return 1;
-    return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
+    return static_cast<float>(core::value_of(light));
 }
 
 std::uint8_t to_byte(float value) {
@@ -124,6 +125,7 @@ Picture read_picture(const fs::path& path) {
     const OIIO::TypeDesc type = file.spec.channelformat(channels.colour[0]);
     const bool is_light = type.is_floating_point();  // whole numbers are what a screen gets
     Picture picture{core::Image<Rgb>(file.width_px, file.height_px), {}};
+    picture.texts = texts_of(file.spec);
     if (channels.alpha >= 0 || !file.holds_all())
         picture.alpha = core::Image<std::uint8_t>(file.width_px, file.height_px);
     if (type == OIIO::TypeDesc::UINT8) {

@@ -16,6 +16,7 @@ struct Picture {
     core::Image<std::uint8_t> alpha;  ///< empty where the file has none, and holds all pixels
     /// What was done to get there, a phrase each: another depth, which of several layers.
     std::vector<std::string> notes = {};
+    Texts texts = {};  ///< of the file (GrayFile)
 };
 
 /// Reads a picture from elsewhere: grey or colour, 8 or 16 bits, or float, with alpha or without.

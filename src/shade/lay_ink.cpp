@@ -4,24 +4,19 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace ink::shade {
 namespace {
 
-/// IEC 61966-2-1, of 0..1.
-double light_of(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 std::uint8_t byte_of_light(double light) {
-    const double value =
-        light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * value));
+    return static_cast<std::uint8_t>(std::lround(255 * core::value_of(light)));
 }
 
 std::array<double, 256> light_of_bytes() {
     std::array<double, 256> light{};
     for (std::size_t i = 0; i < light.size(); ++i)
-        light[i] = light_of(static_cast<double>(i) / 255);
+        light[i] = core::light_of(static_cast<double>(i) / 255);
     return light;
 }
 

@@ -6,8 +6,11 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "draw/image_output.h"
 #include "draw/palette.h"
+#include "harness/images/outline_image.h"
 #include "methods/method_configs.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::draw {
 namespace {
@@ -40,6 +43,17 @@ TEST(MakeDrawing, PlainIsInkOnPaperWhereResponsesAreFull) {
     EXPECT_GT(ink, 0);
     EXPECT_EQ(ink + count_of(drawing.image, kPaper.rgb), 96 * 54);
     EXPECT_TRUE(drawing.shading.is_empty());
+}
+
+TEST(MakeDrawing, IsReadAsTheSharesThatItsInkHas) {
+    const core::TempFolder folder;
+    const Drawing drawing = make_drawing(
+        small_scene_views(), methods::make_configs("strokes", {}).front(), {});
+    write_drawing(drawing.image, folder / "drawn.png");
+    const edge::EdgeImage read = harness::read_outline_image(folder / "drawn.png").responses;
+    ASSERT_EQ(read.size(), drawing.edge_responses.size());
+    for (std::size_t i = 0; i < read.size(); ++i)  // ink is not quite black
+        ASSERT_NEAR(read.data()[i], drawing.edge_responses.data()[i], 6) << i;
 }
 
 TEST(MakeDrawing, KeepsTheSizeOfTheViewWhenAntialiased) {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "core/srgb.h"
 #include "image_io/picture_file.h"
 #include "score/polarity.h"
 
@@ -204,15 +206,31 @@ bool read_coloured_lines(const Colours& colours, Polarity polarity, OutlineImage
     return false;
 }
 
+/// Greys as the light that a screen gives for them.
+void take_light(OutlineImage& outline) {
+    std::array<std::uint8_t, 256> light{};
+    for (std::size_t v = 0; v < light.size(); ++v)
+        light[v] = static_cast<std::uint8_t>(
+            std::lround(255 * core::light_of(static_cast<double>(v) / 255)));
+    Gray& values = outline.responses;
+    std::transform(values.data(), values.data() + values.size(), values.data(), [&](int v) {
+        return light[static_cast<std::size_t>(v)];
+    });
+    outline.notes.push_back("its greys taken as light, as the file says");
+}
+
 }  // namespace
 
 OutlineImage read_outline_image(const std::filesystem::path& path, Polarity polarity) {
     image_io::Picture picture = image_io::read_picture(path);
     if (!picture.alpha.is_empty()) lay_over_ground(picture, polarity);
+    const auto mixed = picture.texts.find(image_io::kMixedText);
+    const bool is_of_light = mixed != picture.texts.end() && mixed->second == "linear";
     OutlineImage outline;
     outline.notes = std::move(picture.notes);
     if (read_coloured_lines(picture.colour, polarity, outline)) return outline;
     outline.responses = gray_of(picture.colour, image_io::luma);
+    if (is_of_light) take_light(outline);
     outline.is_inverted =
         polarity == Polarity::dark_on_light ||
         (polarity == Polarity::automatic && score::has_dark_lines(outline.responses));
