@@ -101,8 +101,8 @@ function placeExactLines() {
         path.setAttribute('d', d);
         return path;
     }));
-    document.getElementById('exact').replaceChildren(...paths.length === 0 ? [] : ['Exact lines: ',
-        ...paths.flatMap(([name], i) => [i > 0 ? ', ' : '', element('span', {class: `exact ${name}`}, name)])]);
+    document.getElementById('exact').replaceChildren(...paths.length === 0 ? [] : ['Exact lines:',
+        ...paths.flatMap(([name]) => [' ', element('span', {class: `exact ${name}`}, name)])]);
     if (paths.length === 0) return;
     const {width_px: width, height_px: height} = DATA.views.find(({name}) => name === state.view);
     exactLines.setAttribute('viewBox', `0 0 ${width} ${height}`);
