@@ -1,4 +1,4 @@
-"""Models that `inkbench bake` has made, in the pages of three.js that show how (methods/outside/three): their lines
+"""Models that `inkbench bake` has made, in the pages that show how (methods/outside/three, .../babylon): their lines
 are those of surface8, of surface_lookup and of chords. Without Chromium, Selenium or three.js it skips."""
 
 import functools
@@ -10,6 +10,7 @@ import sys
 import threading
 import unittest
 from pathlib import Path
+from typing import NamedTuple
 
 import adapters
 
@@ -20,6 +21,7 @@ import glb  # noqa: E402
 import webgl  # noqa: E402
 
 SIZE = "640x360"
+SCREEN = (640, 360, 1)  # the same: width, height, pixel ratio
 LEAST_EQUAL = 0.95  # as SwiftShader draws, see methods/outside/README.md
 LEAST_EQUAL_OF_LOOKUP = 0.998  # as Mesa draws, with tables of the pose
 LEAST_EQUAL_OF_REST = 0.99  # with those of the model at rest: the program makes its codes of the pose
@@ -28,13 +30,34 @@ SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 MODELS = adapters.ROOT / "inkbench-out" / "models"
 
 
+class Engine(NamedTuple):
+    installed_for: str  # what methods/outside/install takes
+    packages: dict  # folders that it has installed, by the names that the page gives them
+    changed: tuple  # of the page: its clock in seconds, and what draws the picture; what draws the background alone
+
+
+ENGINES = {
+    "three": Engine("three_ids", {"three": "three-0.160.0"}, (
+        "ms / 1000", "renderer.render(scene, camera)",
+        "renderer.render(scene, camera), renderer.setClearColor(0xffffff), renderer.clear()")),
+    "babylon": Engine("babylon", {name: f"{name}-9.28.0" for name in ("babylonjs", "babylonjs-loaders")}, (
+        "performance.now() / 1000", "scene.render()", "scene.render(), engine.clear(scene.clearColor, true, true)")),
+}
+
+
 class Quiet(http.server.SimpleHTTPRequestHandler):
     def log_message(self, *_):
         pass
 
 
-class PageTest(unittest.TestCase):
-    """What the tests of both pages do."""
+class PageTest(browser.BrowserTest):
+    """What the tests of all pages do."""
+
+    harmless = ("favicon.ico", "GPU stall due to ReadPixels")
+
+    @classmethod
+    def make_runs(cls):
+        """They make a folder for each page."""
 
     def inkbench(self, *words):
         done = adapters.run(adapters.PROGRAM, *words)
@@ -43,8 +66,11 @@ class PageTest(unittest.TestCase):
     def page_of(self, model, folder):
         """The folder, with the page and all that it loads."""
         self.inkbench("bake", model, "-o", folder / "model.glb")
-        self.link(folder, adapters.load_installer().store() / "three-0.160.0", "three")
-        for file in ("baked.html", "lookup.html", "lookup.js"):
+        for engine, (_, packages, _) in ENGINES.items():
+            self.link(folder, adapters.OUTSIDE / engine / "lookup.html", f"{engine}.html")
+            for name, installed in packages.items():
+                self.link(folder, adapters.load_installer().store() / installed, name)
+        for file in ("baked.html", "lookup.js"):
             self.link(folder, adapters.OUTSIDE / "three" / file)
         for method in ("surface8", "surface_lookup", "chords"):
             self.link(folder, adapters.ROOT / "methods" / method / f"{method}.glsl")
@@ -53,41 +79,50 @@ class PageTest(unittest.TestCase):
     def link(self, folder, file, name=None):
         (folder / (name or file.name)).symlink_to(file)
 
-    def drawn(self, folder, page="baked.html", switches=SOFTWARE_GL, pixel_ratio=1):
-        """The picture of a page whose files are in a folder, as an array of greys."""
-        import numpy
-        from PIL import Image
-
+    def drawn(self, folder, page="baked.html", screens=(SCREEN,)):
+        """The picture of a page whose files are in a folder, as an array of greys: of the last of the screens that
+        its window has in turn."""
         handler = functools.partial(Quiet, directory=str(folder))
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        driver = browser.open_browser(folder, switches)
-        width, height = map(int, SIZE.split("x"))
         try:
-            driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-                "width": width, "height": height, "deviceScaleFactor": pixel_ratio, "mobile": False})
-            driver.get(f"http://127.0.0.1:{server.server_port}/{page}")
-
-            def picture():
-                found = driver.find_elements("css selector", "canvas")
-                return found and numpy.asarray(Image.open(io.BytesIO(found[0].screenshot_as_png)).convert("L"))
-
-            def has_lines(_):
-                grey = picture()
-                return grey is not False and len(grey) > 0 and (grey < 99).sum() > 500
-
-            try:
-                browser.WebDriverWait(driver, 60).until(has_lines)
-            except Exception as error:
-                raise AssertionError(driver.get_log("browser")) from error
-            return picture()
+            for screen in screens:
+                width, height, ratio = screen
+                self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+                    "width": width, "height": height, "deviceScaleFactor": ratio, "mobile": False})
+                if screen == screens[0]:
+                    self.browser.get(f"http://127.0.0.1:{server.server_port}/{page}")
+                grey = self.settled((height * ratio, width * ratio))
+            return grey
         finally:
-            driver.quit()
+            self.browser.get("about:blank")
             server.shutdown()
             server.server_close()
 
+    def settled(self, shape):
+        """The picture of this shape that a page shows once it has lines and no longer changes."""
+        import numpy
+        from PIL import Image
+
+        def picture():
+            found = self.find_all("canvas")
+            image = Image.open(io.BytesIO(found[0].screenshot_as_png)) if found else Image.new("L", (1, 1))
+            return numpy.asarray(image.convert("L"))
+
+        def with_lines():
+            grey = picture()
+            is_done = grey.shape == shape and (grey < 99).sum() > 500 and numpy.array_equal(grey, picture())
+            return [grey] if is_done else []
+
+        try:
+            return self.wait(with_lines)[0]
+        except browser.TimeoutException as error:
+            raise AssertionError(self.browser.get_log("browser")) from error
+
 
 class BakedTest(PageTest):
+    switches = SOFTWARE_GL
+
     def test_lines_are_those_of_surface8(self):
         import numpy
         from PIL import Image
@@ -136,43 +171,61 @@ def with_camera(model, eye, target, file):
 
 
 class LookupTest(PageTest):
-    def lines(self, model, method, time_s=None, has_tables_of_rest=False):
-        """Ink of a method at a model's first camera, 0..255: as the program draws it, and as the page does."""
+    switches = tuple(webgl.MESA_GL)
+
+    def inks(self, method, model, time_s=None, screens=(SCREEN,), has_tables_of_rest=False):
+        """Ink of a method at a model's first camera, 0..255: as the program draws it, and by engine as the
+        page does in a window that has these screens in turn."""
         import numpy
         from PIL import Image
 
         with adapters.scratch() as name:
             folder = self.page_of(model, Path(name))
-            time = [] if time_s is None else ["--time", time_s]
-            self.bake_tables(folder, *([] if has_tables_of_rest else time))
-            width = ["--set", "width_px=1.5"] if method == "chords" else []
-            self.inkbench("draw", model, "--views", "file", *time, *width, "--method", method, "--response",
-                          "--size", SIZE, "-o", folder / "ours.png")
-            text = (folder / "lookup.html").read_text()
-            white = "renderer.render(scene, camera), renderer.setClearColor(0xffffff), renderer.clear()"
-            for old, new in {"'chords';": f"'{method}';", "renderer.render(scene, camera)": white,
-                             "ms / 1000": str(time_s)}.items():
-                self.assertIn(old, text)
-                text = text.replace(old, new)
-            (folder / "lines.html").write_text(text)
-            return (numpy.asarray(Image.open(folder / "ours.png").convert("L")).astype(int),
-                    255 - self.drawn(folder, "lines.html", webgl.MESA_GL).astype(int))
+            words = [] if time_s is None else ["--time", time_s]
+            self.bake_tables(folder, *([] if has_tables_of_rest else words))
+            width, height, ratio = screens[-1]
+            width_px = ["--set", f"width_px={1.5 * ratio}"] if method == "chords" else []
+            self.inkbench("draw", model, "--views", "file", *words, *width_px, "--method", method, "--response",
+                          "--size", f"{width * ratio}x{height * ratio}", "-o", folder / "ours.png")
+            ours = numpy.asarray(Image.open(folder / "ours.png").convert("L")).astype(int)
+            theirs = {}
+            for engine in self.engines():
+                page = self.page_of_lines(engine, method, time_s, folder)
+                theirs[engine] = 255 - self.drawn(folder, page, screens).astype(int)
+                self.assertEqual(theirs[engine].shape, ours.shape)
+            return ours, theirs
+
+    def engines(self):
+        return [name for name, engine in ENGINES.items() if not adapters.missing_packages(engine.installed_for)]
+
+    def page_of_lines(self, engine, method, time_s, folder):
+        """The page of an engine, changed to draw the lines of a method alone, at one moment."""
+        text = (folder / f"{engine}.html").read_text()
+        clock, render, lines_alone = ENGINES[engine].changed
+        for old, new in {"'chords';": f"'{method}';", render: lines_alone, clock: str(time_s)}.items():
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        (folder / f"{engine}_lines.html").write_text(text)
+        return f"{engine}_lines.html"
 
     def bake_tables(self, folder, *words):
         self.inkbench("bake", folder / "model.glb", "--codes", "surface_lookup", *words, "-o", folder / "model.lookup")
 
-    def equal(self, *words):
-        ours, theirs = self.lines(*words)
-        self.assertEqual(theirs.shape, ours.shape)
-        return 1 - ((ours > 127) != (theirs > 127)).sum() / (2 * (ours > 127).sum())
+    def check_lines(self, what, least, *view, **options):
+        ours, theirs = self.inks("surface_lookup", *view, **options)
+        for engine, lines in theirs.items():
+            equal = 1 - ((ours > 127) != (lines > 127)).sum() / (2 * (ours > 127).sum())
+            print(f"{what} in {engine}: {equal:.4f} of line pixels", flush=True)
+            self.assertGreaterEqual(equal, least, f"{what} in {engine}")
 
-    def check(self, what, model, time_s=None):
-        equal = self.equal(model, "surface_lookup", time_s)
-        ours, theirs = self.lines(model, "chords", time_s)
-        apart = abs(ours - theirs)[(ours > 0) | (theirs > 0)].mean()
-        print(f"{what}: {equal:.4f} of line pixels; ink {apart:.2f} of 255 apart", flush=True)
-        self.assertGreaterEqual(equal, LEAST_EQUAL_OF_LOOKUP, what)
-        self.assertLessEqual(apart, MOST_APART, what)
+    def check(self, what, *view, **options):
+        """Both methods, at what `inks` takes."""
+        self.check_lines(what, LEAST_EQUAL_OF_LOOKUP, *view, **options)
+        ours, theirs = self.inks("chords", *view, **options)
+        for engine, ink in theirs.items():
+            apart = abs(ours - ink)[(ours > 0) | (ink > 0)].mean()
+            print(f"{what} in {engine}: ink {apart:.2f} of 255 apart", flush=True)
+            self.assertLessEqual(apart, MOST_APART, f"{what} in {engine}")
 
     def test_lines_are_those_of_the_methods(self):
         for scene in ("blocks", "torus", "gear"):
@@ -180,24 +233,30 @@ class LookupTest(PageTest):
                 adapters.export_view(scene, SIZE, Path(name))
                 self.check(scene, next(Path(name).rglob("mesh.glb")))
 
-    def test_pixels_are_those_of_the_screen(self):
+    def test_lines_follow_the_window(self):
         with adapters.scratch() as name:
             adapters.export_view("torus", SIZE, Path(name))
-            folder = self.page_of(next(Path(name).rglob("mesh.glb")), Path(name))
-            self.bake_tables(folder)
-            self.assertEqual(self.drawn(folder, "lookup.html", webgl.MESA_GL, 2).shape, (720, 1280))
+            self.check("torus in another window", next(Path(name).rglob("mesh.glb")),
+                       screens=((400, 200, 1), (260, 160, 2)))
 
     def test_lines_follow_bones(self):
-        if not (MODELS / "bull.glb").exists():
-            self.skipTest("experiments/models/fetch bull gets the model")
-        with adapters.scratch() as name:
-            model = Path(name) / "bull.glb"
-            with_camera(MODELS / "bull.glb", (2.6, 2.2, 3.6), (0, 0.75, 0), model)
-            for time_s in (0.1, 0.3, 0.5):
-                self.check(f"bull at {time_s} s", model, time_s)
-                of_rest = self.equal(model, "surface_lookup", time_s, True)
-                print(f"with tables of the model at rest {of_rest:.4f}", flush=True)
-                self.assertGreaterEqual(of_rest, LEAST_EQUAL_OF_REST, time_s)
+        self.check_moments("bull", ((2.6, 2.2, 3.6), (0, 0.75, 0)), (0.1, 0.3, 0.5))
+
+    def test_lines_follow_morphs(self):
+        self.check_moments("morph_cube", ((2.6, 2.9, 3.6), (0, 0.75, 0)), (0.5, 1.5))
+
+    def check_moments(self, name, eye_and_target, times_s):
+        found = [model for ending in ("glb", "gltf") if (model := MODELS / f"{name}.{ending}").exists()]
+        if not found:
+            self.skipTest(f"experiments/models/fetch {name} gets the model")
+        with adapters.scratch() as folder:
+            model = Path(folder) / f"{name}.glb"
+            self.inkbench("bake", found[0], "-o", model)
+            with_camera(model, *eye_and_target, model)
+            for time_s in times_s:
+                self.check(f"{name} at {time_s} s", model, time_s)
+            self.check_lines(f"{name} at {times_s[1]} s with tables of rest", LEAST_EQUAL_OF_REST, model, times_s[1],
+                             has_tables_of_rest=True)
 
 
 if __name__ == "__main__":
