@@ -70,8 +70,8 @@ class PageTest(browser.BrowserTest):
             self.link(folder, adapters.OUTSIDE / engine / "lookup.html", f"{engine}.html")
             for name, installed in packages.items():
                 self.link(folder, adapters.load_installer().store() / installed, name)
-        for file in ("baked.html", "lookup.js"):
-            self.link(folder, adapters.OUTSIDE / "three" / file)
+        for file in ("three/baked.html", "webgl/lookup.js"):
+            self.link(folder, adapters.OUTSIDE / file)
         for method in ("surface8", "surface_lookup", "chords"):
             self.link(folder, adapters.ROOT / "methods" / method / f"{method}.glsl")
         return folder
