@@ -14,12 +14,25 @@ namespace {
 
 class Surface8 : public CodeMethod {
   public:
-    using Params = SurfaceCodeParams;
+    struct Params : SurfaceCodeParams {
+        bool repaired = false;
+    };
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
+        table.flag(&Params::repaired,
+                   "repaired",
+                   "Raise and lower codes until random views show few wrong lines; they then "
+                   "follow no view.");
         return add_surface_code_params(table);
     }
-    explicit Surface8(const Params& params) : CodeMethod(params, surface_setup(params)) {}
+    explicit Surface8(const Params& params) : CodeMethod(params, setup_of(params)) {}
+
+  private:
+    static CodeSetup setup_of(const Params& params) {
+        CodeSetup setup = surface_setup(params);
+        setup.is_repaired = params.repaired;
+        return setup;
+    }
 };
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace ink::methods {
 namespace {
 
 // Found on characters and bent tubes, in views and moments that are none of these:
-// experiments/notes/baked.md.
+// experiments/notes/repair.md.
 constexpr int kMoments = 8;     ///< of a motion: its end, and seven before it
-constexpr int kMostViews = 32;  ///< of a pose
+constexpr int kMostViews = 96;  ///< of a pose
 constexpr int kLeastViews = 6;  ///< the same where poses are many
 constexpr int kAllViews = 9 * kMostViews;
 constexpr int kRepairMoves = 16000;
@@ -36,7 +36,13 @@ std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
                                           std::span<const scene::Scene> motions) {
     SurfaceCodeParams params;
     params.crease_deg = crease_deg;
-    const CodeSetup setup = surface_setup(params);
+    return repaired_codes(scene, params, surface_setup(params), motions);
+}
+
+std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
+                                          const CodeParams& params,
+                                          const CodeSetup& setup,
+                                          std::span<const scene::Scene> motions) {
     SurfaceCodes codes(code_options(params, setup));
     codes.prepare(scene);
     const std::size_t poses = 1 + kMoments * motions.size();
@@ -52,7 +58,7 @@ std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
             }
     };
     const auto heights = codes.heights(codes.object_lengths(object_length_px(setup)));
-    const SeenSquares squares = seen_squares(codes, crease_deg, {poses, views}, each_pose);
+    const SeenSquares squares = seen_squares(codes, params.crease_deg, {poses, views}, each_pose);
     return codes.codes_of(
         repaired_heights(codes.mesh(), codes.range(), squares, heights, kRepairMoves));
 }

@@ -10,6 +10,9 @@
 
 namespace ink::methods {
 
+struct CodeParams;
+struct CodeSetup;
+
 /// A method that draws one code a triangle, whose codes need no view.
 enum class BakedMethod { surface8, label8 };
 
@@ -26,6 +29,12 @@ enum class BakedMethod { surface8, label8 };
 [[nodiscard]] std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
                                                         double crease_deg,
                                                         std::span<const scene::Scene> motions);
+
+/// The same at any settings.
+[[nodiscard]] std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
+                                                        const CodeParams& params,
+                                                        const CodeSetup& setup,
+                                                        std::span<const scene::Scene> motions = {});
 
 /// The welded scene, cut into smooth patches, that these codes are made from.
 [[nodiscard]] std::shared_ptr<const SmoothMesh> baked_mesh(const scene::PreparedScene& scene,

@@ -6,6 +6,7 @@
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
+#include "methods/surface_codes/baked_codes.h"
 
 namespace ink::methods {
 CodeOptions code_options(const CodeParams& params, const CodeSetup& setup) {
@@ -25,14 +26,15 @@ CodePass::CodePass(const CodeParams& params, const CodeSetup& setup)
       surface_codes_(code_options(params, setup)) {}
 
 std::vector<std::uint32_t> CodePass::constants_of(const scene::PreparedScene& scene) {
-    surface_codes_.prepare(scene);
     lengths_world_.clear();
+    if (setup_.is_repaired) return repaired_codes(scene, params_, setup_);
+    surface_codes_.prepare(scene);
     return surface_codes_.object_codes(scene, object_length_px(setup_));
 }
 
 /// Codes whose steps cover the footprint of every triangle where it is now seen.
 void CodePass::follow_view(const method::Frame& /*frame*/) {
-    if (setup_.footprint != Footprint::view || setup_.length_px == 0) return;
+    if (setup_.is_repaired || setup_.footprint != Footprint::view || setup_.length_px == 0) return;
     const scene::Surface& surface = inputs().surface();
     const scene::Projection projection(inputs().view());
     std::vector<float> lengths(surface.triangles.size());

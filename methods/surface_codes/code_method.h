@@ -36,9 +36,10 @@ core::ParamTable<P>& add_code_params(core::ParamTable<P>& table) {
 /// How codes are made and looked at.
 struct CodeSetup : CodeOptions {
     Footprint footprint = Footprint::none;
-    double length_px = 0;  ///< that a step covers at least, by the footprint
-    int gain_bits = 0;     ///< of the response, see edge::side_differences
-    int halo_px = 1;       ///< that whoever adds lines reads
+    double length_px = 0;      ///< that a step covers at least, by the footprint
+    bool is_repaired = false;  ///< see repaired_codes(); such codes follow no view
+    int gain_bits = 0;         ///< of the response, see edge::side_differences
+    int halo_px = 1;           ///< that whoever adds lines reads
 };
 
 /// How the labels of label8 are made and looked at.

@@ -15,7 +15,6 @@ namespace {
 constexpr int kSeenWidth_px = 640;
 constexpr int kSeenHeight_px = 360;
 constexpr std::size_t kMostSquares = 6'000'000;
-constexpr int kBeside_px = 2;  ///< that a line's place is uncertain by, as scores have it
 
 /// A camera that has most of a ball in view.
 scene::View random_view(const scene::Sphere& bounds, std::mt19937& random) {
@@ -35,15 +34,6 @@ scene::View random_view(const scene::Sphere& bounds, std::mt19937& random) {
                                  view.camera.fov_y_rad);
     scene::fit_clip_range(view.camera, bounds);
     return view;
-}
-
-bool is_line_beside(const edge::EdgeImage& lines, int x, int y) {
-    const int right = std::min(x + kBeside_px, lines.width_px() - 1);
-    const int below = std::min(y + kBeside_px, lines.height_px() - 1);
-    for (int j = std::max(y - kBeside_px, 0); j <= below; ++j)
-        for (int i = std::max(x - kBeside_px, 0); i <= right; ++i)
-            if (lines.at(i, j) != 0) return true;
-    return false;
 }
 
 /// The lines of a view, and the faces that it shows.
@@ -88,9 +78,7 @@ class SquareViews : public LookupMethod {
         for (std::size_t i = 0; i < 4; ++i)
             if (!add_side(round[i], round[(i + 1) % 4], square)) return;
         if (square.pairs == 0) return;
-        const int x_px = tile.x0_px + x, y_px = tile.y0_px + y;
-        square.is_line = lines_.at(x_px, y_px) != 0 ? 1 : 0;
-        if (square.is_line == 0 && is_line_beside(lines_, x_px, y_px)) return;
+        square.is_line = lines_.at(tile.x0_px + x, tile.y0_px + y) != 0 ? 1 : 0;
         count(square);
     }
 

@@ -39,9 +39,8 @@ struct RandomViews {
 using EachPose = std::function<void(const std::function<void(const scene::PreparedScene&)>&)>;
 
 /// The squares of random views of poses, all of the scene that `codes` was prepared with; lines are
-/// those that the mesh tells (LookupMethod). Left out is what codes cannot change, or are not to
-/// learn: where sky is seen, or only faces that go smoothly over into each other; and pixels
-/// without a line that lie beside one.
+/// those that the mesh tells (LookupMethod). Left out is what codes cannot change: where sky is
+/// seen, or only faces that go smoothly over into each other.
 ///
 /// Seeded: the same on every machine. Where squares grow too many for memory, those of each pose
 /// that come first.

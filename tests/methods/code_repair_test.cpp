@@ -13,10 +13,13 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/shapes.h"
+#include "edge/threshold.h"
 #include "methods/surface_codes/baked_codes.h"
 #include "methods/surface_codes/surface_code_params.h"
 #include "scene/animation.h"
-#include "tests/scene/small_meshes.h"
+#include "tests/methods/small_scenes.h"
+#include "tests/methods/two_px.h"
+#include "truth/truth.h"
 
 namespace ink::methods {
 namespace {
@@ -164,6 +167,24 @@ TEST(CodeRepair, CodesOfAModelAtRestStayCodes) {
         if (mesh.across[corner] != SmoothMesh::kNone) {
             EXPECT_LE(std::abs(code_of(corner / 3) - code_of(mesh.across[corner])), 1);
         }
+}
+
+TEST(CodeRepair, DrawsAHandBetterInViewsThatItDidNotLearnFrom) {
+    const scene::Scene scene = catalogue::make_catalogue_scene("hand");
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
+    const auto plain = posed_method(find_method("surface8"), {}, scene);
+    const auto repaired = posed_method(find_method("surface8"), {{"repaired", "true"}}, scene);
+    double gain = 0;
+    for (const glm::dvec3& way : {glm::dvec3{2, 1, 2}, {-2.5, 0.3, 1}, {0, 2, -2}}) {
+        const scene::View view = view_from(
+            scene, bounds.center_world + bounds.radius * way, bounds.center_world, {960, 540});
+        const auto truth = truth::trace_truth(scene, view, {});
+        const auto f = [&](method::Method& method) {
+            return f_within_two_px(edge::threshold(image_by(method, {view, 1}), 128), truth.labels);
+        };
+        gain += (f(*repaired) - f(*plain)) / 3;
+    }
+    EXPECT_GT(gain, 0.004);
 }
 
 TEST(Fold, GoesUpAndDownAndHasHeightsBelowZero) {
