@@ -15,7 +15,7 @@ namespace {
 
 /// A line of codes that differ by so many is safe from what the next view rounds otherwise; of less
 /// a share is lost, of the least that is a line this. Of .7 and .15 the latter left less of what
-/// bull and dancer lose: experiments/notes/repair.md.
+/// bull and dancer lose.
 constexpr int kSafeDifference = 6;
 constexpr float kUnsafeLoss = 0.15F;
 /// Larger patches are not shifted: it takes long, and they hold most of what is right already.
