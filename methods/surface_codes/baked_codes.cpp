@@ -13,7 +13,7 @@ namespace {
 // Found on characters and bent tubes, in views and moments that are none of these:
 // experiments/notes/repair.md.
 constexpr int kMoments = 8;     ///< of a motion: its end, and seven before it
-constexpr int kMostViews = 96;  ///< of a pose
+constexpr int kMostViews = 32;  ///< of a pose
 constexpr int kLeastViews = 6;  ///< the same where poses are many
 constexpr int kAllViews = 9 * kMostViews;
 constexpr int kRepairMoves = 16000;

@@ -12,8 +12,8 @@
 namespace ink::methods {
 namespace {
 
-constexpr int kSeenWidth_px = 640;
-constexpr int kSeenHeight_px = 360;
+constexpr int kSeenWidth_px = 1280;
+constexpr int kSeenHeight_px = 720;
 constexpr std::size_t kMostSquares = 6'000'000;
 
 /// A camera that has most of a ball in view.
