@@ -1,14 +1,24 @@
 // chords in GLSL ES 3.00 (WebGL 2): ink of lines 1 to 4 px wide, from a sample at each corner of a pixel.
 //
 // All but the last pass draw more than the image, by ceil(widthPx / 2) px on each side; `size` and `projectionMatrix`
-// are of that larger frame. `vertex` and `fragment` draw the mesh as those of surface_lookup. Then three vertices are
-// drawn three times by `screen`: with `sides` into RGBA16UI of one column and row more than the frame, with `cells`
-// into RGBA32UI of the frame, and over the image with `lines`. Names are those of three.js.
+// are of that larger frame. `vertex` and `fragment` draw the mesh and `marks` marks as those of surface_lookup. Then `tiles`
+// draws points: with `sides` into RGBA16UI of one column and row more than the frame, with `cells` into RGBA32UI of
+// the frame, both cleared to 0, and as `screen` does with `lines` over the image. Names are those of three.js.
 //// vertex of surface_lookup
 //// fragment of surface_lookup
 //// screen of surface8
+//// tiles of surface_lookup
+//// marks
+//-- judging of surface_lookup
+out highp uint drawn;
+
+void main() {
+    ivec2 told = told_at(ivec2(gl_FragCoord.xy));
+    drawn = told == ivec2(no_line) ? 0u : 4u;
+}
 //// sides
 const bool notes_lines = true;  // and walks end where the surface does
+//-- judging of surface_lookup
 //-- walks of surface_lookup
 out highp uvec4 drawn;  // as line_word: two lines of the side to the next column, two of that to the next row
 
@@ -43,9 +53,8 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
     uint a = word_at(p), b = word_at(p + to);
     uvec2 kept = uvec2(0);
     bool is_sky = a == 0u || b == 0u;
-    if (a == b || (!is_sky && judged(p, to, a, b) == no_line)) return kept;
     uint face_a = a & 0x7fffffu, face_b = b & 0x7fffffu;
-    Walk there = Walk(lost, vec2(0), 0u, vec2(0), uvec4(0), -1.0), back = there;
+    Walk there = Walk(lost, vec2(0), vec2(0), uvec4(0), -1.0), back = there;
     for (int i = 0; i < 3; ++i) {  // there, back, and there again where the other line hides this surface
         bool is_back = i == 1;
         if ((is_back ? b : a) == 0u) continue;
@@ -95,13 +104,13 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
 }
 
 void main() {
-    ivec2 p = ivec2(gl_FragCoord.xy);
+    ivec2 p = ivec2(gl_FragCoord.xy), told = told_at(p);
     drawn = uvec4(0);
-    for (int i = 0; i < 2; ++i) {  // a loop, or each walk stands here six times
-        ivec2 to = ivec2(1 - i, i);
-        if (any(greaterThan(p + to, ivec2(size)))) continue;
-        uvec2 kept = lines_between(p, to);
-        drawn = i == 0 ? uvec4(kept, 0, 0) : uvec4(drawn.xy, kept);
+    // A loop over those that may have lines, or each walk stands here six times.
+    for (uint todo = uint(told.x != no_line) | uint(told.y != no_line) << 1; todo != 0u; todo &= todo - 1u) {
+        bool is_across = (todo & 1u) != 0u;
+        uvec2 kept = lines_between(p, is_across ? ivec2(1, 0) : ivec2(0, 1));
+        drawn = is_across ? uvec4(kept, 0, 0) : uvec4(drawn.xy, kept);
     }
 }
 //// cells
@@ -168,21 +177,21 @@ void main() {
     ivec2 p = ivec2(gl_FragCoord.xy) + reach;
     // Of the middles of the pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
     vec4 over = vec4(-1), way_x = vec4(0), way_y = vec4(0);
-    for (int y = -reach; y <= reach; ++y)
-        for (int x = -reach; x <= reach; ++x) {
-            uvec4 cell = texelFetch(pieces, p + ivec2(x, y), 0);
-            for (; cell.x != 0u; cell = uvec4(cell.yzw, 0)) {
-                vec4 ends = vec4(cell.x >> 24, cell.x >> 16 & 255u, cell.x >> 8 & 255u, cell.x & 255u) / 255.0;
-                vec2 from = ends.xy + vec2(x, y), along = ends.zw - ends.xy;
-                vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
-                vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
-                to_x -= t * along.x, to_y -= t * along.y;
-                vec4 found = 0.5 * widthPx - sqrt(to_x * to_x + to_y * to_y);
-                bvec4 is_further = greaterThan(found, over);
-                over = mix(over, found, is_further);
-                way_x = mix(way_x, abs(to_x), is_further), way_y = mix(way_y, abs(to_y), is_further);
-            }
-        }
+    uvec4 cell = uvec4(0);
+    for (int x = -reach - 1, y = -reach; ; cell = uvec4(cell.yzw, 0)) {  // a piece, of whichever cell has the next
+        for (; cell.x == 0u && (x < reach || y < reach); cell = texelFetch(pieces, p + ivec2(x, y), 0))
+            if (++x > reach) x = -reach, ++y;
+        if (cell.x == 0u) break;
+        vec4 ends = vec4(cell.x >> 24, cell.x >> 16 & 255u, cell.x >> 8 & 255u, cell.x & 255u) / 255.0;
+        vec2 from = ends.xy + vec2(x, y), along = ends.zw - ends.xy;
+        vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
+        vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
+        to_x -= t * along.x, to_y -= t * along.y;
+        vec4 found = 0.5 * widthPx - sqrt(to_x * to_x + to_y * to_y);
+        bvec4 is_further = greaterThan(found, over);
+        over = mix(over, found, is_further);
+        way_x = mix(way_x, abs(to_x), is_further), way_y = mix(way_y, abs(to_y), is_further);
+    }
     vec4 away = sqrt(way_x * way_x + way_y * way_y);
     vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
     larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));

@@ -2,7 +2,9 @@
 //
 // The mesh is drawn by `vertex` and `fragment` into two textures R32UI, cleared to 0, one column and one row larger
 // than the image, without vertex attributes: three vertices a face of the tables. Depth test, both sides, no
-// multisampling. Then three vertices are drawn over the image by `screen` and `lines`. Names are those of three.js.
+// multisampling. Then `screen` draws three vertices with `marks` into R8UI of that size; `tiles`, a vertex for each 4 x 4
+// px, draws points with `sides` into the same, cleared to 0, where marks ask for it; and `screen` or `tiles` draws
+// `lines` over the image. Names are those of three.js.
 //// vertex
 precision highp float;
 precision highp int;
@@ -35,39 +37,80 @@ layout(location = 1) out highp uint drawn_depth;
 
 void main() { drawn = word, drawn_depth = floatBitsToUint(nearness * gl_FragCoord.w); }
 //// screen of surface8
-//// lines
-const bool notes_lines = false;  // a walk ends at the first line
-//-- walks
+//// tiles
+uniform highp usampler2D marks;
+uniform vec2 target_size;  // px of what is drawn into
+
+/// Points that cover all that what is marked reaches.
+void main() {
+    ivec2 reach = textureSize(marks, 0) - ivec2(target_size);
+    int columns = (int(target_size.x) + 3) / 4;
+    ivec2 first = 4 * ivec2(gl_VertexID % columns, gl_VertexID / columns);
+    uint most = 0u;
+    for (int y = 0; y < 4 + reach.y; ++y)
+        for (int x = 0; x < 4 + reach.x; ++x) most = max(most, texelFetch(marks, first + ivec2(x, y), 0).r);
+    bool is_drawn = most >= (reach.x == 0 ? 4u : 1u);
+    vec2 middle = min(vec2(first) + 2.0, target_size);
+    gl_Position = vec4(is_drawn ? 2.0 * middle / target_size - 1.0 : vec2(2), 0, 1);
+    gl_PointSize = 4.0;
+}
+//// marks
+//-- judging
 precision highp float;
 precision highp int;
-uniform highp usampler2D codes, depths, faces;
-uniform highp sampler2D points;
-uniform mat4 modelViewMatrix, projectionMatrix;
+uniform highp usampler2D codes, depths;
+uniform mat4 projectionMatrix;
 uniform vec2 size;
 
-const uint nothing = 0xffffffffu, many = 0xfffffffbu;
-const int arrived = 0, border = 1, other_line = 2, beyond = 3, cut = 4, lost = 5, fork = 6;
 const int no_line = 0, sure_line = 1, doubt = 2;
 
-ivec2 at(int i) { return ivec2(i & 4095, i >> 12); }
 uint word_at(ivec2 p) { return texelFetch(codes, p, 0).r; }
 float q_at(ivec2 p) { return uintBitsToFloat(texelFetch(depths, clamp(p, ivec2(0), ivec2(size)), 0).r); }
 
-/// What codes and depths tell of a side whose faces differ.
-int judged(ivec2 p, ivec2 to, uint a, uint b) {
-    float q_a = q_at(p), q_b = q_at(p + to), jump = q_b - q_a;
-    float bend_a = abs(jump - (q_a - q_at(p - to))), bend_b = abs(jump - (q_at(p + 2 * to) - q_b));
+/// What codes and depths tell of a side, from its four samples in a row.
+int told_of(uint a, uint b, float q_before, float q_a, float q_b, float q_after) {
+    float jump = q_b - q_a, bend_a = abs(jump - (q_a - q_before)), bend_b = abs(jump - (q_after - q_b));
     // As much as a pixel is wide, a tenth of it.
     float least = 0.2 / (size.y * projectionMatrix[1][1]) * (projectionMatrix[3][3] == 0.0 ? max(q_a, q_b) : 1.0);
     int apart = abs(int(a >> 24) - int(b >> 24));
     bool is_flagged = ((a | b) & 0x800000u) != 0u;
-    if (apart >= 4 && !is_flagged && max(bend_a, bend_b) > least) return sure_line;
+    if (a == b) return no_line;
+    if (a == 0u || b == 0u || (apart >= 4 && !is_flagged && max(bend_a, bend_b) > least)) return sure_line;
     return apart < 2 && !is_flagged && min(bend_a, bend_b) <= least ? no_line : doubt;
 }
 
+/// The same of a sample's sides to the next column and the next row.
+ivec2 told_at(ivec2 p) {
+    ivec2 x = ivec2(1, 0), y = ivec2(0, 1), last = ivec2(size);
+    uint a = word_at(p), b = p.x < last.x ? word_at(p + x) : a, c = p.y < last.y ? word_at(p + y) : a;
+    if (a == b && a == c) return ivec2(no_line);
+    float q = q_at(p);
+    return ivec2(told_of(a, b, q_at(p - x), q, q_at(p + x), q_at(p + 2 * x)),
+                 told_of(a, c, q_at(p - y), q, q_at(p + y), q_at(p + 2 * y)));
+}
+//-- end
+out highp uint drawn;  // 1: a line to the next column, 2: to the next row, 4: look up
+
+void main() {
+    ivec2 told = told_at(ivec2(gl_FragCoord.xy));
+    drawn = uint(told.x & 1 | (told.y & 1) << 1 | ((told.x | told.y) & doubt) << 1);
+}
+//// sides
+const bool notes_lines = false;  // a walk ends at the first line
+//-- judging of surface_lookup
+//-- walks
+uniform highp usampler2D faces;
+uniform highp sampler2D points;
+uniform mat4 modelViewMatrix;
+
+const uint nothing = 0xffffffffu, many = 0xfffffffbu;
+const int arrived = 0, border = 1, other_line = 2, beyond = 3, cut = 4, lost = 5, fork = 6;
+
+ivec2 at(int i) { return ivec2(i & 4095, i >> 12); }
+
 /// A corner of a face in the view, and on the screen times w, which holds behind the eye, too: 1/256 px along a walk
 /// and beside it, w, and 1/distance.
-struct Corner { vec3 p_view; vec4 h; };
+struct Corner { uint point; vec3 p_view; vec4 h; };
 
 Corner corner_of(uint point, ivec2 from, ivec2 to) {
     vec4 p_view = modelViewMatrix * texelFetch(points, at(int(point)), 0);
@@ -79,14 +122,17 @@ Corner corner_of(uint point, ivec2 from, ivec2 to) {
     // Of a parallel camera as `nearness` above.
     float z = projectionMatrix[2][2] < 0.0 ? 1.0 - clip.z : clip.z;
     float q = projectionMatrix[3][3] == 0.0 ? 1.0 : z / abs(projectionMatrix[2][2]);
-    return Corner(p_view.xyz, vec4(dot(place, vec2(to)), to.x == 0 ? place.x : place.y, clip.w, q));
+    return Corner(point, p_view.xyz, vec4(dot(place, vec2(to)), to.x == 0 ? place.x : place.y, clip.w, q));
 }
 
 /// Which side of a face is seen.
-float facing_of(Corner c[3]) {
-    vec3 n = cross(c[1].p_view - c[0].p_view, c[2].p_view - c[0].p_view);
-    return sign(projectionMatrix[3][3] == 0.0 ? dot(n, c[0].p_view) : -n.z);
+float facing_of(Corner a, Corner b, Corner c) {
+    vec3 n = cross(b.p_view - a.p_view, c.p_view - a.p_view);
+    return sign(projectionMatrix[3][3] == 0.0 ? dot(n, a.p_view) : -n.z);
 }
+
+/// On which side of a walk a corner lies.
+bool is_high(Corner corner) { return corner.h.y > 0.0; }
 
 /// Where a walk crosses an edge: px from its sample, and 1/distance there; 0 behind the eye.
 vec2 crossing_of(Corner a, Corner b) {
@@ -94,9 +140,9 @@ vec2 crossing_of(Corner a, Corner b) {
     return h.z > 0.0 ? vec2(h.x / 256.0, h.w) / h.z : vec2(h.x > 0.0 ? 1e9 : -1e9, 0);
 }
 
-/// How a walk ended, where (as crossing_of), on which face, and where it came to that; where lines are noted, the
-/// last four, the newest first, and 1/distance at `asked`, below 0 if it did not come there.
-struct Walk { int end; vec2 left; uint face; vec2 entered; uvec4 lines; float q_asked; };
+/// How a walk ended, where (as crossing_of), and where it came to that face; where lines are noted, the last four, the
+/// newest first, and 1/distance at `asked`, below 0 if it did not come there.
+struct Walk { int end; vec2 left; vec2 entered; uvec4 lines; float q_asked; };
 
 /// 1/distance of the last face at s px from the walk's sample.
 float q_on(Walk walk, float s) {
@@ -110,59 +156,67 @@ uint line_word(uint corner, uint other, float s) {
     return name << 8 | uint(255.0 * clamp(s, 0.0, 1.0) + 0.5);
 }
 
+/// The one of three at an edge's beginning.
+Corner corner_at(int edge, Corner a, Corner b, Corner c) {
+    if (edge == 0) return a;
+    if (edge == 1) return b;
+    return c;
+}
+
+int after(int edge) { return edge == 2 ? 0 : edge + 1; }
+int before(int edge) { return edge == 0 ? 2 : edge - 1; }
+
 /// From the face at one sample along `to`, until the face `goal`, a line or past the next sample.
 Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
-    Walk walk = Walk(lost, vec2(0), face, vec2(0), uvec4(0), -1.0);
-    Corner c[3];
+    Walk walk = Walk(lost, vec2(0), vec2(0), uvec4(0), -1.0);
     uvec4 corners = texelFetch(faces, at(2 * int(face)), 0);
-    for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
-    int leaves = -1, count = 0;
-    for (int i = 0; i < 3; ++i) {
-        int k = (i + 1) % 3;
-        if ((c[i].h.y > 0.0) == (c[k].h.y > 0.0)) continue;
-        vec2 found = crossing_of(c[i], c[k]);
-        bool is_last = count == 0 || found.x > walk.left.x;
-        if (is_last) walk.entered = walk.left, walk.left = found, leaves = i;
-        else walk.entered = found;
-        ++count;
+    Corner a = corner_of(corners.x, from, to), b = corner_of(corners.y, from, to), c = corner_of(corners.z, from, to);
+    if (is_high(a) == is_high(b) && is_high(a) == is_high(c)) return walk;
+    float facing = facing_of(a, b, c);
+    // Two edges are crossed, before and after the corner that lies alone on its side.
+    int leaves = is_high(a) == is_high(b) ? 2 : is_high(a) == is_high(c) ? 1 : 0;
+    Corner alone = corner_at(leaves, a, b, c), left = corner_at(before(leaves), a, b, c), right = corner_at(after(leaves), a, b, c);
+    walk.entered = crossing_of(left, alone), walk.left = crossing_of(alone, right);
+    a = alone, b = right;
+    if (walk.entered.x > walk.left.x || (walk.entered.x == walk.left.x && leaves != 0)) {
+        vec2 last = walk.entered;
+        walk.entered = walk.left, walk.left = last;
+        a = left, b = alone, leaves = before(leaves);
     }
-    if (count != 2) return walk;
-    float facing = facing_of(c);
-    for (int step = 0; step < 64; ++step) {
+    bool is_a_high = is_high(a), is_turned = false;  // faces that are wound otherwise than the first
+    for (int step = 0; step < 64; ++step) {  // over the edge from a to b
         if (notes_lines && walk.q_asked < 0.0 && walk.left.x >= asked) walk.q_asked = q_on(walk, asked);
         if (walk.left.x > 1.0 + 1.0 / 256.0) {
             walk.end = walk.left.y > 0.0 ? beyond : cut;
-            return walk;
+            break;
         }
-        uvec4 rest = texelFetch(faces, at(2 * int(walk.face) + 1), 0);
-        uint twin = rest[leaves];
-        uint next = (twin & 0x3ffffffcu) >> 2;
+        uvec4 rest = texelFetch(faces, at(2 * int(face) + 1), 0);
+        uint twin = leaves == 0 ? rest.x : leaves == 1 ? rest.y : rest.z;
+        bool has_kind = (rest.w & (leaves == 0 ? 7u : leaves == 1 ? 56u : 448u)) != 0u, is_open = false;
         int edge = int(twin & 3u);
-        bool is_two = twin != nothing && twin != many;
-        uint kind = rest.w >> (3 * leaves) & 7u;
-        uint noted = notes_lines ? line_word(corners[leaves], corners[(leaves + 1) % 3], walk.left.x) : 0u;
-        float facing_next = 0.0;
-        if (is_two) {
-            corners = texelFetch(faces, at(2 * int(next)), 0);
-            for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
-            facing_next = facing_of(c);
+        face = (twin & 0x3ffffffcu) >> 2;
+        if (twin != nothing && twin != many) {
+            c = corner_of(texelFetch(faces, at(2 * int(face)), 0)[before(edge)], from, to);
+            is_open = facing != 0.0 && facing_of(b, a, c) == facing;
         }
-        bool is_open = is_two && facing != 0.0 && facing_next == ((twin & 0x80000000u) != 0u ? -facing : facing);
-        if (!is_open || kind != 0u) {
-            if (notes_lines) walk.lines = uvec4(noted, walk.lines.xyz);
+        if (!is_open || has_kind) {
+            if (notes_lines) walk.lines = uvec4(line_word(a.point, b.point, walk.left.x), walk.lines.xyz);
             if (!is_open || !notes_lines) {
                 walk.end = twin == many ? fork : twin == nothing ? border : other_line;
-                return walk;
+                break;
             }
         }
-        walk.face = next;
-        walk.end = next == goal ? arrived : lost;
-        if (next == goal) return walk;
-        facing = facing_next;
-        bool is_high = c[(edge + 2) % 3].h.y > 0.0;
-        leaves = (edge + (is_high == (c[edge].h.y > 0.0) ? 1 : 2)) % 3;
+        if (face == goal) {
+            walk.end = arrived;
+            break;
+        }
+        bool is_after_a = is_high(c) != is_a_high;
+        is_turned = is_turned != ((twin & 0x80000000u) != 0u);
+        leaves = is_after_a != is_turned ? after(edge) : before(edge);
+        if (is_after_a) b = c;
+        else a = c;
         walk.entered = walk.left;
-        walk.left = crossing_of(c[leaves], c[(leaves + 1) % 3]);
+        walk.left = crossing_of(a, b);
     }
     return walk;
 }
@@ -179,38 +233,43 @@ bool is_crack(Walk there, Walk back) {
         abs(there.left.y - back.left.y) <= 1e-4 * there.left.y;
 }
 //-- end
-out vec4 line;
+out highp uint drawn;  // lines as in marks
 
 /// Whether the mesh has a line between two samples.
 bool is_found(ivec2 p, ivec2 to, uint a, uint b) {
-    Walk walks[2];
-    for (int i = 0; i < 2; ++i) {  // there, and back
-        walks[i] = walk(i == 0 ? p : p + to, i == 0 ? to : -to, i == 0 ? a : b, i == 0 ? b : a, 0.0);
-        if (walks[i].end == arrived) return false;
+    Walk there, back;
+    for (int i = 0; i < 2; ++i) {
+        back = walk(i == 0 ? p : p + to, i == 0 ? to : -to, i == 0 ? a : b, i == 0 ? b : a, 0.0);
+        if (back.end == arrived) return false;
+        if (i == 0) there = back;
     }
-    if ((walks[0].end >= lost || walks[1].end >= lost) && patch_of(a) == patch_of(b)) return false;
+    if ((there.end >= lost || back.end >= lost) && patch_of(a) == patch_of(b)) return false;
     // Of two objects the border of one on the other, and a crack between them, are seams.
     bool are_two = object_of(a) != object_of(b);
-    bool goes_there = goes_on(walks[0], q_at(p + to)), goes_back = goes_on(walks[1], q_at(p));
-    if (goes_there || goes_back) return are_two && min(walks[0].end, walks[1].end) <= other_line;
-    if (walks[0].end == cut || walks[1].end == cut) return min(walks[0].end, walks[1].end) <= other_line;
-    return are_two || !is_crack(walks[0], walks[1]);
-}
-
-bool is_line(ivec2 p, ivec2 to) {
-    uint a = word_at(p), b = word_at(p + to);
-    if (a == b) return false;
-    if (a == 0u || b == 0u) return true;
-    int told = judged(p, to, a, b);
-    return told == doubt ? is_found(p, to, a & 0x7fffffu, b & 0x7fffffu) : told == sure_line;
+    bool goes_there = goes_on(there, q_at(p + to)), goes_back = goes_on(back, q_at(p));
+    if (goes_there || goes_back) return are_two && min(there.end, back.end) <= other_line;
+    if (there.end == cut || back.end == cut) return min(there.end, back.end) <= other_line;
+    return are_two || !is_crack(there, back);
 }
 
 void main() {
-    ivec2 p = ivec2(gl_FragCoord.xy);
-    bool is_any = false;
-    for (int i = 0; i < 4 && !is_any; ++i) {  // a loop, or each walk stands here eight times
-        ivec2 to = ivec2(1 - (i & 1), i & 1);
-        is_any = is_line(i < 2 ? p : p + 1 - to, to);
+    ivec2 p = ivec2(gl_FragCoord.xy), told = told_at(p);
+    drawn = 0u;
+    // A loop over those in doubt, or each walk stands here four times.
+    for (uint todo = uint(told.x >> 1 | told.y & 2); todo != 0u; todo &= todo - 1u) {
+        ivec2 to = (todo & 1u) != 0u ? ivec2(1, 0) : ivec2(0, 1);
+        uint a = word_at(p) & 0x7fffffu, b = word_at(p + to) & 0x7fffffu;
+        if (is_found(p, to, a, b)) drawn |= uint(to.x + 2 * to.y);
     }
-    line = vec4(is_any);
+}
+//// lines
+uniform highp usampler2D marks, sides;
+out highp vec4 line;
+
+uint lines_at(ivec2 p) { return texelFetch(marks, p, 0).r | texelFetch(sides, p, 0).r; }
+
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    uint lines = lines_at(p) | lines_at(p + ivec2(0, 1)) & 1u | lines_at(p + ivec2(1, 0)) & 2u;
+    line = vec4((lines & 3u) != 0u);
 }

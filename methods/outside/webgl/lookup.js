@@ -1,11 +1,11 @@
 // Draws the lines of surface_lookup or chords over what a WebGL 2 context shows, whichever engine drew that.
 
-const TABLE_WIDTH = 4096;  // texels in a row, as the shaders have it
+const TABLE_WIDTH = 4096, TILE_PX = 4;  // texels in a row, and sides of marked squares, as the shaders have them
 
 /// The shader of a method, with what it takes from others' files ("//// screen of surface8") in its place.
 function wholeShader(method, files) {
     return files[method].replace(/^(\/\/(?:\/\/|--)) (\w+) of (\w+)\n/gm, (_, mark, part, other) => {
-        const text = wholeShader(other, files);
+        const text = other === method ? files[other] : wholeShader(other, files);
         const begin = text.indexOf(`${mark} ${part}\n`), end = text.indexOf(`\n${mark} `, begin);
         return text.slice(begin, end < 0 ? text.length : end + 1);
     });
@@ -28,7 +28,9 @@ export class LookupLines {
         this.fill(this.tables.faces, gl.RGBA_INTEGER, gl.UNSIGNED_INT, this.faces);
         this.empty = gl.createVertexArray();
         this.mesh = program('vertex', 'fragment');
-        this.steps = method === 'chords' ? ['sides', 'cells'].map(section => program('screen', section)) : [];
+        this.isInk = method === 'chords';
+        this.steps = [['marks', program('screen', 'marks'), gl.R8UI], ['sides', program('tiles', 'sides'), this.isInk ? gl.RGBA16UI : gl.R8UI]];
+        if (this.isInk) this.steps.push(['pieces', program('tiles', 'cells'), gl.RGBA32UI]);
         this.lines = program('screen', 'lines');
         this.targets = [];
     }
@@ -87,13 +89,13 @@ export class LookupLines {
         }
         const more = [width + 1, height + 1];
         this.targets = [this.target([gl.R32UI, gl.R32UI], ...more, true)];
-        if (this.steps.length > 0)
-            this.targets.push(this.target([gl.RGBA16UI], ...more, false), this.target([gl.RGBA32UI], width, height, false));
+        for (const [name, , format] of this.steps)
+            this.targets.push(name === 'pieces' ? this.target([format], width, height, false) : this.target([format], ...more, false));
         this.size = [width, height];
     }
 
     /// Draws vertices without attributes; what `program` does not read of the textures and values is left out.
-    run(program, target, textures, values, count) {
+    run(program, target, textures, values, count, kind = this.gl.TRIANGLES) {
         const {gl} = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
         gl.viewport(0, 0, target.width, target.height);
@@ -106,8 +108,9 @@ export class LookupLines {
         for (const name of ['modelViewMatrix', 'projectionMatrix'])
             gl.uniformMatrix4fv(gl.getUniformLocation(program, name), false, values[name]);
         gl.uniform2fv(gl.getUniformLocation(program, 'size'), values.size);
+        gl.uniform2f(gl.getUniformLocation(program, 'target_size'), target.width, target.height);
         gl.uniform1f(gl.getUniformLocation(program, 'widthPx'), values.widthPx);
-        gl.drawArrays(gl.TRIANGLES, 0, count);
+        gl.drawArrays(kind, 0, count);
     }
 
     /// Creases as `points` are now bent, at so many degrees or more: without it they stay those of the tables' pose.
@@ -146,7 +149,7 @@ export class LookupLines {
     draw(view, projection, widthPx = 1, color = [0, 0, 0]) {
         const {gl} = this;
         const {drawingBufferWidth: width, drawingBufferHeight: height} = gl;
-        const margin = this.steps.length > 0 ? Math.ceil(widthPx / 2) : 0;  // lines outside reach in
+        const margin = this.isInk ? Math.ceil(widthPx / 2) : 0;  // lines outside reach in
         const size = [width + 2 * margin, height + 2 * margin];
         if (String(size) !== String(this.size)) this.resize(...size);
         const shares = [width / size[0], height / size[1], 1, 1];
@@ -164,10 +167,18 @@ export class LookupLines {
         gl.clearBufferfv(gl.DEPTH, 0, [1]);
         this.run(this.mesh, mesh, this.tables, values, 3 * this.faceCount);
         gl.disable(gl.DEPTH_TEST);
-        let drawn = {codes: mesh.textures[0], depths: mesh.textures[1], ...this.tables};
-        this.steps.forEach((step, i) => {
-            this.run(step, others[i], drawn, values, 3);
-            drawn = {[['sides', 'pieces'][i]]: others[i].textures[0]};
+        const drawn = {codes: mesh.textures[0], depths: mesh.textures[1], ...this.tables};
+        this.steps.forEach(([name, step], i) => {
+            const target = others[i];
+            if (i === 0) {
+                this.run(step, target, drawn, values, 3);
+            } else {
+                gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+                gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+                const tiles = Math.ceil(target.width / TILE_PX) * Math.ceil(target.height / TILE_PX);
+                this.run(step, target, drawn, values, tiles, gl.POINTS);
+            }
+            drawn[name] = target.textures[0];
         });
         gl.enable(gl.BLEND);
         gl.blendEquation(gl.FUNC_ADD);

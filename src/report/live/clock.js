@@ -47,7 +47,7 @@ class Clock {
         const drawnBy = own => i => own.drawLines(name, camera, width, height, `timed ${i % 2}`);
         const frame = drawnBy(this.renderer);
         const lines = drawnBy(Object.create(this.renderer, {drawMesh: {value() {}}}));
-        const mesh = drawnBy(Object.create(this.renderer, {drawScreen: {value() {}}}));
+        const mesh = drawnBy(Object.create(this.renderer, {drawPass: {value() {}}}));
         // The first frames compile, allocate, and leave the codes that the lines are drawn from.
         this.renderer.finish([1, 0].map(frame)[1]);
         const ofLines = await this.ladder(lines);

@@ -4,15 +4,22 @@
 /// that the shader has for them; without, it reads the tables of faces and points. `hasCorners`: samples are
 /// corners of pixels. `passes`: how often the mesh is drawn, with which uniforms and faces; once, both sides,
 /// unless it says otherwise. `steps`: sections that draw for the next one before the lines: under which name it reads
-/// that, of which format it is, and how much larger than the frame. Where there are any, lines are ink of any width.
+/// that, of which format it is, and how much larger than the frame. `isInk`: lines are ink of any width.
 const METHODS = {
     chords: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
-        steps: [{section: 'sides', draws: 'sides', format: 'RGBA16UI', more: 1},
+        isInk: true,
+        steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
+            {section: 'sides', draws: 'sides', format: 'RGBA16UI', more: 1},
             {section: 'cells', draws: 'pieces', format: 'RGBA32UI', more: 0}],
     },
-    surface_lookup: {targets: ['R32UI', 'R32UI'], hasCorners: true},
+    surface_lookup: {
+        targets: ['R32UI', 'R32UI'],
+        hasCorners: true,
+        steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
+            {section: 'sides', draws: 'sides', format: 'R8UI', more: 1}],
+    },
     surface8: {targets: ['R8UI'], reads: {_ink: 'surface8'}, hasCorners: true},
     surface8_depth: {targets: ['R8UI', 'R32UI'], reads: {_ink: 'surface8'}, hasCorners: true},
     label8: {targets: ['R8UI'], reads: {_ink: 'label8'}, hasCorners: true},

@@ -12,6 +12,8 @@ const FORMATS = {
 
 /// Texels in a row of a table, as the shaders have it.
 const TABLE_WIDTH = 4096;
+/// Sides of the squares in which marked pixels are drawn, as the shaders have it.
+const TILE_PX = 4;
 
 class Renderer {
     /// Throws an Error with a sentence where there is no WebGL 2.
@@ -191,15 +193,27 @@ class Renderer {
         gl.disable(gl.DEPTH_TEST);
     }
 
-    /// Draws a triangle over what is bound by a section of a shader, with textures by the names of their uniforms.
+    /// Draws a section over a target; where there are marks, over what these reach of it, cleared to 0.
+    drawPass(name, section, target, textures, values) {
+        const {gl} = this;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+        gl.viewport(0, 0, target.width, target.height);
+        if (textures.marks && target.formats[0].endsWith('UI')) gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+        else if (textures.marks) gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+        this.drawScreen(name, section, textures, {...values, target_size: [target.width, target.height]});
+    }
+
+    /// Draws a triangle over what is bound by a section of a shader, or tiles of it where there are marks, with textures
+    /// by the names of their uniforms.
     drawScreen(name, section, textures, values) {
         const {gl} = this;
-        const program = this.program(name, 'screen', section);
+        const program = this.program(name, textures.marks ? 'tiles' : 'screen', section);
         gl.useProgram(program.program);
         const units = this.bind(textures);
         setUniforms(gl, program, {...values, ...units});
         gl.bindVertexArray(this.empty);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        if (textures.marks) gl.drawArrays(gl.POINTS, 0, Math.ceil(values.target_size[0] / TILE_PX) * Math.ceil(values.target_size[1] / TILE_PX));
+        else gl.drawArrays(gl.TRIANGLES, 0, 3);
         // What is drawn into next must not be read.
         this.bind(Object.fromEntries(Object.keys(textures).map(name => [name, null])));
     }
@@ -208,8 +222,8 @@ class Renderer {
     /// what is needed at one time.
     drawLines(name, camera, width, height, use = '', widthPx = 1) {
         const {gl} = this;
-        const {targets, reads, hasCorners, passes, steps = []} = METHODS[name];
-        const margin = steps.length > 0 ? Math.ceil(widthPx / 2) : 0; // lines outside reach in
+        const {targets, reads, hasCorners, passes, isInk, steps = []} = METHODS[name];
+        const margin = isInk ? Math.ceil(widthPx / 2) : 0; // lines outside reach in
         const [w, h] = [width + 2 * margin, height + 2 * margin];
         const matrices = matricesOf(camera, width, height, this.isReversed);
         matrices.projectionMatrix[0] *= width / w;
@@ -218,18 +232,14 @@ class Renderer {
         const more = hasCorners ? 1 : 0;
         const codes = this.target('codes', targets, w + more, h + more, true);
         this.drawMesh(name, reads, codes, values, passes);
-        let drawn = {codes: codes.textures[0], depths: codes.textures[1] || null, ...reads ? {} : this.tables};
+        const drawn = {codes: codes.textures[0], depths: codes.textures[1] || null, ...reads ? {} : this.tables};
         for (const {section, draws, format, more: larger} of steps) {
             const target = this.target(draws, [format], w + larger, h + larger, false);
-            gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
-            gl.viewport(0, 0, target.width, target.height);
-            this.drawScreen(name, section, drawn, values);
-            drawn = {[draws]: target.textures[0]};
+            this.drawPass(name, section, target, drawn, values);
+            drawn[draws] = target.textures[0];
         }
         const lines = this.target(`lines ${use}`, ['R8'], width, height, false);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, lines.frame);
-        gl.viewport(0, 0, width, height);
-        this.drawScreen(name, 'lines', drawn, values);
+        this.drawPass(name, 'lines', lines, drawn, values);
         return lines;
     }
 

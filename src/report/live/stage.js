@@ -29,7 +29,7 @@ function scoreOf(method) {
 
 function scoreText(method) {
     const {f, soft_f: softF} = scoreOf(method);
-    if (METHODS[method].steps && softF !== undefined) return ` soft F ${softF.toFixed(3)}`;
+    if (METHODS[method].isInk && softF !== undefined) return ` soft F ${softF.toFixed(3)}`;
     return f === undefined ? '' : ` F ${f.toFixed(3)}`;
 }
 
@@ -129,7 +129,7 @@ function drawPicture() {
     for (const {method, part, seen} of parts)
         if (seen.width > 0) {
             const lines = renderer.drawLines(method, camera, w, h, '', state.lineWidthPx);
-            renderer.show(fill, lines, part, seen, METHODS[method].steps ? {...looks, lineWidthPx: 1} : looks);
+            renderer.show(fill, lines, part, seen, METHODS[method].isInk ? {...looks, lineWidthPx: 1} : looks);
         }
     placeLabels(picture);
     placeExactLines();
