@@ -183,7 +183,7 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
         walk.entered = walk.left, walk.left = last;
         a = left, b = alone, leaves = before(leaves);
     }
-    bool is_a_high = is_high(a), is_turned = false;  // faces that are wound otherwise than the first
+    bool is_turned = false;  // faces that are wound otherwise than the first
     for (int step = 0; step < 64; ++step) {  // over the edge from a to b
         if (notes_lines && walk.q_asked < 0.0 && walk.left.x >= asked) walk.q_asked = q_on(walk, asked);
         if (walk.left.x > 1.0 + 1.0 / 256.0) {
@@ -193,14 +193,21 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
         uvec4 rest = texelFetch(faces, at(2 * int(face) + 1), 0);
         uint twin = leaves == 0 ? rest.x : leaves == 1 ? rest.y : rest.z;
         bool has_kind = (rest.w & (leaves == 0 ? 7u : leaves == 1 ? 56u : 448u)) != 0u, is_open = false;
+        uint noted = notes_lines ? line_word(a.point, b.point, walk.left.x) : 0u;
         int edge = int(twin & 3u);
         face = (twin & 0x3ffffffcu) >> 2;
         if (twin != nothing && twin != many) {
-            c = corner_of(texelFetch(faces, at(2 * int(face)), 0)[before(edge)], from, to);
+            corners = texelFetch(faces, at(2 * int(face)), 0);
+            is_turned = is_turned != ((twin & 0x80000000u) != 0u);
+            // Faces that are as good as joined have each their own points.
+            uint other_a = corners[is_turned ? edge : after(edge)], other_b = corners[is_turned ? after(edge) : edge];
+            if (other_a != a.point) a = corner_of(other_a, from, to);
+            if (other_b != b.point) b = corner_of(other_b, from, to);
+            c = corner_of(corners[before(edge)], from, to);
             is_open = facing != 0.0 && facing_of(b, a, c) == facing;
         }
         if (!is_open || has_kind) {
-            if (notes_lines) walk.lines = uvec4(line_word(a.point, b.point, walk.left.x), walk.lines.xyz);
+            if (notes_lines) walk.lines = uvec4(noted, walk.lines.xyz);
             if (!is_open || !notes_lines) {
                 walk.end = twin == many ? fork : twin == nothing ? border : other_line;
                 break;
@@ -210,10 +217,9 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
             walk.end = arrived;
             break;
         }
-        bool is_after_a = is_high(c) != is_a_high;
-        is_turned = is_turned != ((twin & 0x80000000u) != 0u);
-        leaves = is_after_a != is_turned ? after(edge) : before(edge);
-        if (is_after_a) b = c;
+        bool is_after = is_high(c) == (is_turned ? is_high(a) : is_high(b));
+        leaves = is_after ? after(edge) : before(edge);
+        if (is_after != is_turned) b = c;
         else a = c;
         walk.entered = walk.left;
         walk.left = crossing_of(a, b);
