@@ -10,46 +10,61 @@
 #include <cstring>
 
 #include "methods/grey_lines/ink.h"
+#include "raster/pass/pass.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ink::methods::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A piece reaches over six points of a row or so.
+/// A piece reaches over three pixels of a row or so, which is twelve points.
 constexpr int kMostLanes = std::min<int>(8, HWY_LANES(float));
 using Lanes = hn::CappedTag<float, kMostLanes>;
 
-/// The middles of quarters of pixels, in rows of twice as many as there are pixels. A strip of so
-/// many rows of pixels stays in the nearest cache.
+/// The middles of the quarters of pixels; those of a pixel follow each other, upper left, upper
+/// right, lower left, lower right. A strip of so many rows of pixels stays in the nearest cache.
 constexpr int kStripRows = 16;
-constexpr std::size_t kPoints = 128 + 16;  ///< in a row, and a vector more
-using Points = std::array<float, 2 * kStripRows * kPoints>;
+constexpr int kQuarters = 4;
+constexpr std::size_t kPoints = std::size_t{kQuarters} * raster::kTileSize_px;  ///< in a row
+using Points = std::array<float, kStripRows * kPoints>;
 
-/// The nearest line at each point of a strip: by how much the pen reaches over it, and the way from
-/// there to the line's middle.
-struct Strip {
-    Points over, way_x, way_y;
-    std::array<std::uint64_t, kStripRows> touched;  ///< pixels, a bit each
+/// Where the points of a row are: from the left of the first pixel, and from above each.
+struct RowPlaces {
+    std::array<float, kPoints> x, y;
 
-    void clear() {
-        over.fill(-1);
-        touched.fill(0);
+    constexpr RowPlaces() : x(), y() {
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            x[i] = static_cast<float>(i / kQuarters) + (i % 2 == 0 ? 0.25F : 0.75F);
+            y[i] = i % kQuarters < 2 ? 0.25F : 0.75F;
+        }
     }
 };
+constexpr RowPlaces kPlaces;
 
-/// Points from the first to the last that a stroke may reach which runs from `low` to `high`.
+/// The nearest line at each point of a strip: by how much the pen reaches over it, and the way from
+/// there to the line's middle. Between strips none is known that reaches any.
+struct Strip {
+    static constexpr float kNone = -1;
+
+    Points over, way_x, way_y;
+    std::array<std::uint64_t, kStripRows> touched{};  ///< pixels, a bit each
+
+    Strip() { over.fill(kNone); }
+};
+
+/// Pixels from the first to the last of whose points a stroke may reach some which runs from `low`
+/// to `high`.
 struct Reach {
     int first, last;
 
-    Reach(float low, float high, float reach, int points) {
-        // Clamped before: what is far outside has no number of a point.
-        const auto most = static_cast<float>(points);
-        first = static_cast<int>(std::ceil(std::clamp(2 * (low - reach) - 0.5F, 0.0F, most)));
-        last = static_cast<int>(std::floor(std::clamp(2 * (high + reach) - 0.5F, -1.0F, most - 1)));
+    Reach(float low, float high, float reach, int pixels) {
+        // Clamped before: what is far outside has no number of a pixel.
+        const auto most = static_cast<float>(pixels);
+        first = static_cast<int>(std::clamp(low - reach + 0.25F, 0.0F, most));
+        last = static_cast<int>(std::clamp(high + reach + 0.75F, 0.0F, most)) - 1;
     }
 };
 
-/// Where a long piece that runs aslant is near a row of points.
+/// Where a long piece that runs aslant is near a row of pixels.
 struct Aslant {
     float slope, low_y, high_y;
 
@@ -61,43 +76,45 @@ struct Aslant {
         constexpr float kShort_px = 1.5F;
         return std::abs(piece.dx) > kShort_px && std::abs(piece.dy) > kShort_px;
     }
-    /// In a row so far below its first end.
-    [[nodiscard]] Reach columns(float x, float y, float reach, int points) const {
+    /// In a row that begins so far below its first end.
+    [[nodiscard]] Reach columns(float x, float y, float reach, int pixels) const {
         const float from = x + slope * std::clamp(y - reach, low_y, high_y);
-        const float to = x + slope * std::clamp(y + reach, low_y, high_y);
-        return {std::min(from, to), std::max(from, to), reach, points};
+        const float to = x + slope * std::clamp(y + 1 + reach, low_y, high_y);
+        return {std::min(from, to), std::max(from, to), reach, pixels};
     }
 };
 
-/// Lets a piece reach over the points of a strip whose first row of pixels is `y0`.
-HWY_INLINE void reach_over(const InkPiece& piece, int width_px, int y0, Strip& strip) {
+/// Lets a piece reach over the points of a strip of `height_px` rows of pixels from `y0` on.
+HWY_INLINE void reach_over(
+    const InkPiece& piece, int width_px, int y0, int height_px, Strip& strip) {
     const Lanes d;
     const int lanes = static_cast<int>(hn::Lanes(d));
     const auto top = static_cast<float>(y0);
     if (piece.y_high < top || piece.y_low > top + kStripRows) return;
     const float reach = std::max(piece.half_px, piece.half_px + piece.half_more_px) + kPenReach_px;
-    const Reach rows(piece.y_low - top, piece.y_high - top, 0, 2 * kStripRows);
+    const Reach rows(piece.y_low - top, piece.y_high - top, 0, height_px);
     const bool is_aslant = Aslant::is(piece);
-    Reach columns(piece.x + std::min(0.0F, piece.dx),
-                  piece.x + std::max(0.0F, piece.dx),
-                  reach,
-                  2 * width_px);
+    Reach columns(
+        piece.x + std::min(0.0F, piece.dx), piece.x + std::max(0.0F, piece.dx), reach, width_px);
     const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F);
     const auto along_x = hn::Set(d, piece.dx), along_y = hn::Set(d, piece.dy);
-    for (int j = rows.first; j <= rows.last; ++j) {
-        const auto at = static_cast<std::size_t>(j);
-        const float from_y = top + (static_cast<float>(j) + 0.5F) / 2 - piece.y;
-        if (is_aslant) columns = Aslant(piece).columns(piece.x, from_y, reach, 2 * width_px);
+    for (int row = rows.first; row <= rows.last; ++row) {
+        const float row_y = top + static_cast<float>(row);
+        if (is_aslant) columns = Aslant(piece).columns(piece.x, row_y - piece.y, reach, width_px);
         if (columns.first > columns.last) continue;
-        const int x0 = columns.first / 2, x1 = columns.last / 2;
-        strip.touched[at / 2] |= (~std::uint64_t{0} >> (63 - (x1 - x0))) << x0;
-        const auto y = hn::Set(d, from_y), y_along = hn::Set(d, from_y * piece.dy);
+        const auto at = static_cast<std::size_t>(row);
+        strip.touched[at] |= (~std::uint64_t{0} >> (63 - (columns.last - columns.first)))
+                             << columns.first;
         // Where vectors begin is the same for all pieces: what one has stored the next loads whole.
-        for (int i = columns.first & -lanes; i <= columns.last; i += lanes) {
-            const auto points = hn::Add(hn::Iota(d, static_cast<float>(i)), hn::Set(d, 0.5F));
-            const auto x = hn::Sub(hn::Mul(points, hn::Set(d, 0.5F)), hn::Set(d, piece.x));
-            const auto along =
-                hn::Mul(hn::Add(hn::Mul(x, along_x), y_along), hn::Set(d, piece.per_length2));
+        const int end = kQuarters * (columns.last + 1);
+        for (int i = (kQuarters * columns.first) & -lanes; i < end; i += lanes) {
+            const float* const place_x = &kPlaces.x[static_cast<std::size_t>(i)];
+            const float* const place_y = &kPlaces.y[static_cast<std::size_t>(i)];
+            const auto x = hn::Sub(hn::LoadU(d, place_x), hn::Set(d, piece.x));
+            const auto y =
+                hn::Sub(hn::Add(hn::LoadU(d, place_y), hn::Set(d, row_y)), hn::Set(d, piece.y));
+            const auto along = hn::Mul(hn::Add(hn::Mul(x, along_x), hn::Mul(y, along_y)),
+                                       hn::Set(d, piece.per_length2));
             const auto t = hn::Min(hn::Max(along, zero), one);
             const auto way_x = hn::Sub(x, hn::Mul(t, along_x));
             const auto way_y = hn::Sub(y, hn::Mul(t, along_y));
@@ -106,12 +123,14 @@ HWY_INLINE void reach_over(const InkPiece& piece, int width_px, int y0, Strip& s
                 hn::Add(hn::Set(d, piece.half_px), hn::Mul(t, hn::Set(d, piece.half_more_px)));
             const auto over = hn::Sub(half, length);
             const std::size_t point = at * kPoints + static_cast<std::size_t>(i);
-            float* const known = &strip.over[point];
-            const auto before = hn::LoadU(d, known);
+            const auto before = hn::LoadU(d, &strip.over[point]);
             const auto is_further = hn::Gt(over, before);
-            hn::StoreU(hn::IfThenElse(is_further, over, before), d, known);
-            hn::BlendedStore(way_x, is_further, d, &strip.way_x[point]);
-            hn::BlendedStore(way_y, is_further, d, &strip.way_y[point]);
+            const auto keep = [&](auto now, auto known, float* to) HWY_ATTR {
+                hn::StoreU(hn::IfThenElse(is_further, now, known), d, to);
+            };
+            keep(over, before, &strip.over[point]);
+            keep(way_x, hn::LoadU(d, &strip.way_x[point]), &strip.way_x[point]);
+            keep(way_y, hn::LoadU(d, &strip.way_y[point]), &strip.way_y[point]);
         }
     }
 }
@@ -161,56 +180,58 @@ HWY_INLINE V share(D d, V over, V way_x, V way_y) {
     return hn::Sub(inside, share_within(d, slope, far_side));
 }
 
-/// Puts shares in the place of `over` at all points of the pixels that pieces came near, and of
-/// their neighbours in vectors: 0 where no pen reaches.
-HWY_INLINE void find_shares(Strip& strip) {
+/// Takes the shares of the points of a row out of a strip; they are 0 where no pen reaches.
+HWY_INLINE void take_shares(Strip& strip, std::size_t row, std::array<float, kPoints>& shares) {
     const Lanes d;
     const std::size_t lanes = hn::Lanes(d);
-    const std::uint64_t own = (std::uint64_t{1} << lanes) - 1;
-    for (std::size_t row = 0; row < 2 * kStripRows; ++row) {
-        for (std::uint64_t rest = strip.touched[row / 2]; rest != 0;) {
-            const std::size_t x = static_cast<std::size_t>(std::countr_zero(rest)) & ~(lanes - 1);
-            rest &= ~(own << x);
-            for (const std::size_t i : {2 * x, 2 * x + lanes}) {
-                const std::size_t point = row * kPoints + i;
-                const auto over = hn::LoadU(d, &strip.over[point]);
-                const auto is_reached = hn::Gt(over, hn::Set(d, -0.5F));
-                auto shares = hn::Zero(d);
-                if (!hn::AllFalse(d, is_reached))
-                    shares = share(d,
-                                   over,
-                                   hn::LoadU(d, &strip.way_x[point]),
-                                   hn::LoadU(d, &strip.way_y[point]));
-                hn::StoreU(hn::IfThenElseZero(is_reached, shares), d, &strip.over[point]);
-            }
+    const std::size_t pixels = std::max<std::size_t>(lanes / kQuarters, 1);
+    const std::uint64_t own = (std::uint64_t{1} << pixels) - 1;
+    for (std::uint64_t rest = strip.touched[row]; rest != 0;) {
+        const std::size_t x = static_cast<std::size_t>(std::countr_zero(rest)) & ~(pixels - 1);
+        rest &= ~(own << x);
+        for (std::size_t i = kQuarters * x; i < kQuarters * (x + pixels); i += lanes) {
+            const std::size_t point = row * kPoints + i;
+            const auto over = hn::LoadU(d, &strip.over[point]);
+            const auto is_reached = hn::Gt(over, hn::Set(d, -0.5F));
+            if (hn::AllFalse(d, is_reached)) continue;
+            const auto share_of_each = share(
+                d, over, hn::LoadU(d, &strip.way_x[point]), hn::LoadU(d, &strip.way_y[point]));
+            hn::StoreU(hn::IfThenElseZero(is_reached, share_of_each), d, &shares[i]);
+            hn::StoreU(hn::Set(d, Strip::kNone), d, &strip.over[point]);
         }
     }
 }
 
-/// The ink of as many pixels as a vector has lanes, from point `i` of a pair of rows on.
+/// The ink of as many pixels as a vector has lanes, from their points on.
 template <class D>
-HWY_INLINE auto ink_of(D d, const Strip& strip, std::size_t row, std::size_t i) {
-    auto sum = hn::Zero(d);
-    for (const std::size_t at : {2 * row, 2 * row + 1}) {
-        auto left = sum, right = sum;
-        hn::LoadInterleaved2(d, &strip.over[at * kPoints + i], left, right);
-        sum = hn::Add(sum, hn::Add(left, right));
-    }
+HWY_INLINE auto ink_of(D d, const float* shares) {
+    auto upper_left = hn::Zero(d), upper_right = hn::Zero(d);
+    auto lower_left = hn::Zero(d), lower_right = hn::Zero(d);
+    hn::LoadInterleaved4(d, shares, upper_left, upper_right, lower_left, lower_right);
+    const auto sum = hn::Add(hn::Add(upper_left, upper_right), hn::Add(lower_left, lower_right));
     return hn::NearestInt(hn::Mul(sum, hn::Set(d, 255.0F / 4)));
 }
 
-HWY_INLINE void write_row(const Strip& strip, std::size_t row, int width_px, std::uint8_t* out) {
+/// Writes a row of pixels, and forgets what was known of it.
+HWY_INLINE void write_row(Strip& strip, std::size_t row, int width_px, std::uint8_t* out) {
     const Lanes d;
     const hn::Rebind<std::uint8_t, Lanes> d_ink;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    std::array<std::uint8_t, 64 + 16> ink{};
+    if (strip.touched[row] == 0) {
+        std::memset(out, 0, static_cast<std::size_t>(width_px));
+        return;
+    }
+    std::array<float, kPoints> shares{};
+    take_shares(strip, row, shares);
+    std::array<std::uint8_t, raster::kTileSize_px> ink{};
     for (int x = 0; x < width_px; x += lanes) {
         const std::uint64_t own = strip.touched[row] >> x;
         if ((own & ((std::uint64_t{1} << lanes) - 1)) == 0) continue;
-        const auto shares = ink_of(d, strip, row, 2 * static_cast<std::size_t>(x));
-        hn::StoreU(hn::DemoteTo(d_ink, shares), d_ink, ink.data() + x);
+        const auto inks = ink_of(d, &shares[kQuarters * static_cast<std::size_t>(x)]);
+        hn::StoreU(hn::DemoteTo(d_ink, inks), d_ink, ink.data() + x);
     }
     std::memcpy(out, ink.data(), static_cast<std::size_t>(width_px));
+    strip.touched[row] = 0;
 }
 
 void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
@@ -219,14 +240,11 @@ void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
             std::memset(tile.first + y * tile.stride, 0, static_cast<std::size_t>(tile.width_px));
         return;
     }
-    // What it holds of ways is looked at where a piece reaches alone.
-    static thread_local Strip strip{};
+    static thread_local Strip strip;
     for (int y0 = 0; y0 < tile.height_px; y0 += kStripRows) {
-        strip.clear();
-        for (const InkPiece& piece : pieces)
-            reach_over(piece, tile.width_px, y0, strip);
-        find_shares(strip);
         const int rows = std::min(kStripRows, tile.height_px - y0);
+        for (const InkPiece& piece : pieces)
+            reach_over(piece, tile.width_px, y0, rows, strip);
         for (int row = 0; row < rows; ++row)
             write_row(strip,
                       static_cast<std::size_t>(row),
