@@ -2,7 +2,6 @@
 // these crossings are drawn. The second pass asks no mesh.
 
 #include <algorithm>
-#include <bit>
 
 #include "methods/grey_lines/ink_method.h"
 #include "methods/grey_lines/lined_sides.h"
@@ -10,11 +9,11 @@
 namespace ink::methods {
 namespace {
 
-/// A crossing of a side with a line, in four bytes.
+/// A crossing of a side with a line, in eight bytes.
 struct ChordEnd {
+    std::uint32_t edge = 0;  ///< bits of which edge it is, so that ends of one are joined
     std::uint8_t place = 0;  ///< from the first sample to the second
     std::uint8_t width = 0;  ///< of the widest
-    std::uint16_t edge = 0;  ///< bits of which edge it is, so that ends of one are joined
 };
 
 class Chords : public InkMethod {
@@ -34,7 +33,7 @@ class Chords : public InkMethod {
     struct Crossed {
         glm::dvec2 at;
         float half_px;
-        std::uint16_t edge;
+        std::uint32_t edge;
     };
 
     void begin(const raster::TileGrid& samples) override { sides_.reset(samples); }
@@ -56,25 +55,17 @@ class Chords : public InkMethod {
         const auto byte = [](double share) {
             return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0, 1.0) + 0.5);
         };
-        return {byte(line.s), byte(half_px / most_half_px_), name_of(line)};
+        return {name_of(line), byte(line.s), byte(half_px / most_half_px_)};
     }
 
-    /// 1 to 65535 of an edge, however its faces and vertices are numbered; 0 of what has none.
-    [[nodiscard]] std::uint16_t name_of(const Crossing& line) const {
+    /// Of an edge not 0, whichever of its faces the line is of; 0 of what has no edge.
+    [[nodiscard]] std::uint32_t name_of(const Crossing& line) const {
         if (line.edge >= Crossing::kIntersection) return 0;
-        const LookupMesh& mesh = pass().screen().mesh();
-        const auto& v = mesh.faces[line.face].vertices;
-        const auto mixed = [&](std::uint32_t vertex) {
-            const glm::dvec3& p = mesh.p_world[vertex];
-            std::uint64_t bits = 0;
-            for (const double part : {p.x, p.y, p.z}) {
-                bits = (bits ^ std::bit_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15U;
-                bits ^= bits >> 32;
-            }
-            return bits * 0xbf58476d1ce4e5b9U;
-        };
-        const std::uint64_t both = mixed(v[line.edge]) + mixed(v[(line.edge + 1U) % 3]);
-        return static_cast<std::uint16_t>(1 + (both >> 40) % 65535);
+        const auto& v = pass().screen().mesh().faces[line.face].vertices;
+        const auto [a, b] = std::minmax(v[line.edge], v[(line.edge + 1U) % 3]);
+        std::uint64_t bits = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15U;
+        bits = (bits ^ bits >> 32) * 0xbf58476d1ce4e5b9U;
+        return static_cast<std::uint32_t>(bits >> 32) | 1;
     }
 
     void join(std::size_t tile, std::vector<Piece>& pieces) override {

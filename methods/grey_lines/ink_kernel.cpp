@@ -47,6 +47,7 @@ struct Strip {
 
     Points over, way_x, way_y;
     std::array<std::uint64_t, kStripRows> touched{};  ///< pixels, a bit each
+    std::array<float, kPoints> shares{};              ///< of a row while it is written, else 0
 
     Strip() { over.fill(kNone); }
 };
@@ -180,8 +181,8 @@ HWY_INLINE V share(D d, V over, V way_x, V way_y) {
     return hn::Sub(inside, share_within(d, slope, far_side));
 }
 
-/// Takes the shares of the points of a row out of a strip; they are 0 where no pen reaches.
-HWY_INLINE void take_shares(Strip& strip, std::size_t row, std::array<float, kPoints>& shares) {
+/// Finds the shares of the points of a row, of which nothing else is known any more.
+HWY_INLINE void find_shares(Strip& strip, std::size_t row) {
     const Lanes d;
     const std::size_t lanes = hn::Lanes(d);
     const std::size_t pixels = std::max<std::size_t>(lanes / kQuarters, 1);
@@ -196,18 +197,19 @@ HWY_INLINE void take_shares(Strip& strip, std::size_t row, std::array<float, kPo
             if (hn::AllFalse(d, is_reached)) continue;
             const auto share_of_each = share(
                 d, over, hn::LoadU(d, &strip.way_x[point]), hn::LoadU(d, &strip.way_y[point]));
-            hn::StoreU(hn::IfThenElseZero(is_reached, share_of_each), d, &shares[i]);
+            hn::StoreU(hn::IfThenElseZero(is_reached, share_of_each), d, &strip.shares[i]);
             hn::StoreU(hn::Set(d, Strip::kNone), d, &strip.over[point]);
         }
     }
 }
 
-/// The ink of as many pixels as a vector has lanes, from their points on.
+/// The ink of as many pixels as a vector has lanes, from their points on, whose shares it forgets.
 template <class D>
-HWY_INLINE auto ink_of(D d, const float* shares) {
+HWY_INLINE auto ink_of(D d, float* shares) {
     auto upper_left = hn::Zero(d), upper_right = hn::Zero(d);
     auto lower_left = hn::Zero(d), lower_right = hn::Zero(d);
     hn::LoadInterleaved4(d, shares, upper_left, upper_right, lower_left, lower_right);
+    std::fill_n(shares, kQuarters * hn::Lanes(d), 0.0F);
     const auto sum = hn::Add(hn::Add(upper_left, upper_right), hn::Add(lower_left, lower_right));
     return hn::NearestInt(hn::Mul(sum, hn::Set(d, 255.0F / 4)));
 }
@@ -221,13 +223,12 @@ HWY_INLINE void write_row(Strip& strip, std::size_t row, int width_px, std::uint
         std::memset(out, 0, static_cast<std::size_t>(width_px));
         return;
     }
-    std::array<float, kPoints> shares{};
-    take_shares(strip, row, shares);
+    find_shares(strip, row);
     std::array<std::uint8_t, raster::kTileSize_px> ink{};
     for (int x = 0; x < width_px; x += lanes) {
         const std::uint64_t own = strip.touched[row] >> x;
         if ((own & ((std::uint64_t{1} << lanes) - 1)) == 0) continue;
-        const auto inks = ink_of(d, &shares[kQuarters * static_cast<std::size_t>(x)]);
+        const auto inks = ink_of(d, &strip.shares[kQuarters * static_cast<std::size_t>(x)]);
         hn::StoreU(hn::DemoteTo(d_ink, inks), d_ink, ink.data() + x);
     }
     std::memcpy(out, ink.data(), static_cast<std::size_t>(width_px));
