@@ -24,7 +24,12 @@ class Chords : public InkMethod {
         return add_ink_params(table);
     }
     explicit Chords(const Params& params)
-        : InkMethod("chords", params), most_half_px_(static_cast<float>(params.width_px / 2)) {}
+        : InkMethod("chords", params), most_half_px_(static_cast<float>(params.width_px / 2)) {
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            places_[i] = static_cast<double>(i) / 255.0;
+            halves_px_[i] = most_half_px_ * static_cast<float>(i) / 255;
+        }
+    }
 
   private:
     static constexpr std::size_t kMostOfSide = 2;
@@ -74,10 +79,10 @@ class Chords : public InkMethod {
             std::size_t count = 0;
             const auto add = [&](int dx, int dy, bool is_down) {
                 for (const ChordEnd& end : sides_.at(x + dx, y + dy, is_down)) {
-                    const double s = end.place / 255.0;
+                    const double s = places_[end.place];
                     crossed[count++] = {
                         .at = {x + dx + (is_down ? 0 : s), y + dy + (is_down ? s : 0)},
-                        .half_px = most_half_px_ * static_cast<float>(end.width) / 255,
+                        .half_px = halves_px_[end.width],
                         .edge = end.edge};
                 }
             };
@@ -127,6 +132,8 @@ class Chords : public InkMethod {
     }
 
     float most_half_px_;
+    std::array<double, 256> places_;    ///< of a byte
+    std::array<float, 256> halves_px_;  ///< likewise
     LinedSides<ChordEnd> sides_;
 };
 

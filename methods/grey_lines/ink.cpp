@@ -13,20 +13,19 @@ namespace {
 
 using raster::kTileSize_px;
 
-InkPiece seen_from(const Piece& piece, const glm::ivec2& origin) {
+void see_from(const glm::ivec2& origin, const Piece& piece, InkPiece& ink) {
     const glm::dvec2 a = piece.a - glm::dvec2(origin), way = piece.b - piece.a;
-    InkPiece ink{.x = static_cast<float>(a.x),
-                 .y = static_cast<float>(a.y),
-                 .dx = static_cast<float>(way.x),
-                 .dy = static_cast<float>(way.y),
-                 .half_px = piece.half_a_px,
-                 .half_more_px = piece.half_b_px - piece.half_a_px};
+    ink.x = static_cast<float>(a.x);
+    ink.y = static_cast<float>(a.y);
+    ink.dx = static_cast<float>(way.x);
+    ink.dy = static_cast<float>(way.y);
+    ink.half_px = piece.half_a_px;
+    ink.half_more_px = piece.half_b_px - piece.half_a_px;
     const float length2 = ink.dx * ink.dx + ink.dy * ink.dy;
     ink.per_length2 = length2 > 1e-12F ? 1 / length2 : 0;
     const float reach = std::max(piece.half_a_px, piece.half_b_px) + kPenReach_px;
     ink.y_low = std::min(ink.y, ink.y + ink.dy) - reach;
     ink.y_high = std::max(ink.y, ink.y + ink.dy) + reach;
-    return ink;
 }
 
 /// The pieces that other tiles than their own need.
@@ -34,18 +33,21 @@ class Guests {
   public:
     Guests(const std::vector<std::vector<Piece>>& of_tiles, int columns)
         : columns_(columns), of_(of_tiles.size()) {
-        for (std::size_t tile = 0; tile < of_tiles.size(); ++tile)
-            for (const Piece& piece : of_tiles[tile])
-                send(piece, static_cast<int>(tile));
+        for (std::size_t i = 0; i < of_tiles.size(); ++i) {
+            const int tile = static_cast<int>(i);
+            const glm::dvec2 begin(kTileSize_px * glm::ivec2(tile % columns, tile / columns));
+            for (const Piece& piece : of_tiles[i])
+                send(piece, tile, begin);
+        }
     }
     [[nodiscard]] const std::vector<const Piece*>& of(std::size_t tile) const { return of_[tile]; }
 
   private:
-    void send(const Piece& piece, int own) {
+    /// Of a piece of tile `own`, which begins at `begin`.
+    void send(const Piece& piece, int own, const glm::dvec2& begin) {
         const double reach = std::max(piece.half_a_px, piece.half_b_px) + kPenReach_px + 0.01;
         const glm::dvec2 low = glm::min(piece.a, piece.b) - reach;
         const glm::dvec2 high = glm::max(piece.a, piece.b) + reach;
-        const glm::dvec2 begin(kTileSize_px * glm::ivec2(own % columns_, own / columns_));
         const bool is_at_home = low.x >= begin.x && low.y >= begin.y &&
                                 high.x < begin.x + kTileSize_px && high.y < begin.y + kTileSize_px;
         if (is_at_home) return;
@@ -80,6 +82,8 @@ InkTile pixels_of(const glm::ivec2& cells, int margin_px, glm::ivec2& first, edg
 void draw_pieces(const std::vector<std::vector<Piece>>& of_tiles,
                  const InkFrame& frame,
                  edge::EdgeImage& out) {
+    // At once: tile by tile, rows of 64 bytes take longer than all else of an empty one.
+    out.fill(0);
     const Guests guests(of_tiles, frame.columns);
     core::parallel_for(of_tiles.size(), frame.threads, [&](std::size_t i) {
         const int tile = static_cast<int>(i);
@@ -92,10 +96,10 @@ void draw_pieces(const std::vector<std::vector<Piece>>& of_tiles,
         pieces.clear();
         const glm::ivec2 origin = first + frame.margin_px;
         for (const Piece& piece : of_tiles[i])
-            pieces.push_back(seen_from(piece, origin));
+            see_from(origin, piece, pieces.emplace_back());
         for (const Piece* piece : guests.of(i))
-            pieces.push_back(seen_from(*piece, origin));
-        draw_ink(pieces, pixels);
+            see_from(origin, *piece, pieces.emplace_back());
+        if (!pieces.empty()) draw_ink(pieces, pixels);
     });
 }
 

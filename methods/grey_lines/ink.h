@@ -31,9 +31,10 @@ struct InkTile {
     int height_px = 0;
 };
 
-/// Writes 255 times the share of every pixel that pieces cover: of each quarter of a pixel the
-/// share within the two sides, as good as straight, of the stroke that reaches furthest over its
-/// middle. Nothing counts twice. The same on every SIMD target.
+/// Writes 255 times the share of pixels that pieces cover, where they come near; others stay as
+/// they are. Of each quarter of a pixel it is the share within the two sides, as good as straight,
+/// of the stroke that reaches furthest over its middle. Nothing counts twice. The same on every
+/// SIMD target.
 void draw_ink(std::span<const InkPiece> pieces, const InkTile& tile);
 
 /// Where the frame's pixels are among samples: pixel (0, 0) is the cell of this sample.

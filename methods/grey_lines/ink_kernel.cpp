@@ -219,10 +219,7 @@ HWY_INLINE void write_row(Strip& strip, std::size_t row, int width_px, std::uint
     const Lanes d;
     const hn::Rebind<std::uint8_t, Lanes> d_ink;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    if (strip.touched[row] == 0) {
-        std::memset(out, 0, static_cast<std::size_t>(width_px));
-        return;
-    }
+    if (strip.touched[row] == 0) return;
     find_shares(strip, row);
     std::array<std::uint8_t, raster::kTileSize_px> ink{};
     for (int x = 0; x < width_px; x += lanes) {
@@ -236,11 +233,6 @@ HWY_INLINE void write_row(Strip& strip, std::size_t row, int width_px, std::uint
 }
 
 void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
-    if (pieces.empty()) {
-        for (int y = 0; y < tile.height_px; ++y)
-            std::memset(tile.first + y * tile.stride, 0, static_cast<std::size_t>(tile.width_px));
-        return;
-    }
     static thread_local Strip strip;
     for (int y0 = 0; y0 < tile.height_px; y0 += kStripRows) {
         const int rows = std::min(kStripRows, tile.height_px - y0);

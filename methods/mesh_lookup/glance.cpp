@@ -39,17 +39,22 @@ class ScreenMesh::Glance {
     [[nodiscard]] bool is_at_border() const {
         return is_line_ && (twin().is_nothing() || !screen_.is_open(at_, twin()));
     }
-    /// That line.
-    [[nodiscard]] Crossing crossing() const {
+    /// Adds that line, as the first sample of the side has it.
+    void add_to(SideLines& lines) const {
+        if (lines.count == lines.crossings.size()) return;
         const LookupFace& face = screen_.mesh_->faces[at_];
         const LineKind border = twin().is_nothing() ? LineKind::boundary : LineKind::contour;
         const double q_from = screen_.q_[face.vertices[exit_]];
         const double q_to = screen_.q_[face.vertices[(exit_ + 1) % 3]];
-        return {.face = at_,
-                .edge = static_cast<std::uint8_t>(exit_),
-                .kind = is_at_border() ? border : face.kinds[exit_],
-                .s = static_cast<float>(s_),
-                .q = static_cast<float>(q_from + t_ * (q_to - q_from))};
+        const auto s = static_cast<float>(s_);
+        // In place: what is copied right after waits for it.
+        Crossing& line = lines.crossings[lines.count++];
+        line.face = at_;
+        line.other = kNoNeighbour;
+        line.edge = static_cast<std::uint8_t>(exit_);
+        line.kind = is_at_border() ? border : face.kinds[exit_];
+        line.s = sign_ < 0 ? 1 - s : s;
+        line.q = static_cast<float>(q_from + t_ * (q_to - q_from));
     }
 
   private:
@@ -59,11 +64,17 @@ class ScreenMesh::Glance {
     /// As Walk has it.
     [[nodiscard]] bool is_high(const glm::ivec2& v) const { return is_down_ ? v.x > x_ : v.y > y_; }
 
+    /// Whether a vertex lies past the far sample.
+    [[nodiscard]] bool is_beyond(const glm::ivec2& v) const {
+        return sign_ * (is_down_ ? v.y - y_ : v.x - x_) > 256;
+    }
+
     void run(std::uint32_t goal) {
         if (!start()) return;
         for (int step = 0; step < screen_.options_.most_steps; ++step) {
             const Twin next = twin();
             if (next.is_closed() || !screen_.is_open(at_, next)) return stop_at_line(next);
+            if (is_beyond(place(exit_)) && is_beyond(place((exit_ + 1) % 3))) return;
             at_ = next.face();
             if (at_ == goal) {
                 has_arrived_ = true;
@@ -148,16 +159,11 @@ ScreenMesh::Glimpse ScreenMesh::glimpse(const SampleSide& side) const {
 /// Finds the lines of a side that is plain: one edge that both samples' faces come to, or borders
 /// that leave a gap.
 bool ScreenMesh::glimpse_lines(const SampleSide& side, SideLines& lines) const {
-    const auto add_back = [&](const Glance& back) {
-        Crossing crossing = back.crossing();
-        crossing.s = 1 - crossing.s;
-        lines.add(crossing);
-    };
     if (side.first == kNoNeighbour || side.second == kNoNeighbour) {
         const bool is_back = side.first == kNoNeighbour;
         const Glance from_face(*this, side, is_back);
         if (!from_face.is_at_border()) return false;
-        is_back ? add_back(from_face) : lines.add(from_face.crossing());
+        from_face.add_to(lines);
         return true;
     }
     const Glance there(*this, side, false);
@@ -165,7 +171,7 @@ bool ScreenMesh::glimpse_lines(const SampleSide& side, SideLines& lines) const {
     // The edge at which the other sample's face begins is where a walk from there would stop.
     if (there.is_line() && there.s() >= 0 && there.s() < kWithin && !there.twin().is_nothing() &&
         there.twin().face() == side.second) {
-        lines.add(there.crossing());
+        there.add_to(lines);
         return true;
     }
     const Glance back(*this, side, true);
@@ -175,15 +181,15 @@ bool ScreenMesh::glimpse_lines(const SampleSide& side, SideLines& lines) const {
     const bool is_one_edge = !twin.is_nothing() && !other.is_nothing() &&
                              twin.face() == back.face() && other.face() == there.face();
     if (is_one_edge) {
-        lines.add(there.crossing());
+        there.add_to(lines);
         return true;
     }
     const bool has_gap = there.is_at_border() && back.is_at_border() &&
                          there.s() + back.s() < 1 - kMeeting &&
                          !(twin.is_nothing() && other.is_nothing());
     if (!has_gap) return false;
-    lines.add(there.crossing());
-    add_back(back);
+    there.add_to(lines);
+    back.add_to(lines);
     return true;
 }
 

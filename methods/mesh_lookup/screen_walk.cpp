@@ -1,4 +1,5 @@
-// Of a walk what is rare: edges of more than two faces.
+// Of a walk what is rare: vertices that cannot be put on the screen, and edges of more than two
+// faces.
 
 #include "methods/mesh_lookup/screen_walk.h"
 
@@ -9,6 +10,21 @@
 #include "scene/topology.h"
 
 namespace ink::methods {
+
+void ScreenMesh::Walk::pass_off_screen(Passage& at) const {
+    const double place = is_down_ ? x_ + 0.5 : y_ + 0.5;
+    const glm::dvec3 begin = screen_.p_clip(at.high), end = screen_.p_clip(at.low);
+    const auto clip_height = [&](const glm::dvec3& p) {
+        return (is_down_ ? p.x : p.y) - place * p.z;
+    };
+    const double ha = clip_height(begin), hb = clip_height(end);
+    const double t = ha != hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
+    const glm::dvec3 p = begin + t * (end - begin);
+    at.w_off_screen = p.z;
+    at.u_off_screen = sign_ * ((is_down_ ? p.y : p.x) - (0.5 + (is_down_ ? y_ : x_)) * p.z);
+    at.q = p.z > 0 ? 1 / p.z : 0;
+    at.s = p.z > 0 ? at.u_off_screen / p.z : std::numeric_limits<double>::infinity();
+}
 
 /// How fast 1/w grows from an edge into a face, per px.
 double ScreenMesh::Walk::slope(const Passage& out, std::uint32_t third) const {

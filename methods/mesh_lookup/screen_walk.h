@@ -83,12 +83,16 @@ class ScreenMesh::Walk {
         std::uint32_t low = 0;
         double s = 0;
         double q = 0;  ///< 1/w; 0 behind the eye
-        double w = 0;  ///< not above 0 behind the eye
-        double u = 0;  ///< s w, which holds there, too
+        double w_off_screen =
+            0;  ///< of a vertex that is not on the screen; not above 0 behind the eye
+        double u_off_screen = 0;  ///< s w, which holds there, too
+        bool is_on_screen = false;
 
+        [[nodiscard]] double w() const { return is_on_screen ? 1 / q : w_off_screen; }
+        [[nodiscard]] double u() const { return is_on_screen ? s * w() : u_off_screen; }
         /// Whether the line meets this edge of a face behind that one, for w of either sign.
         [[nodiscard]] bool is_ahead_of(const Passage& other) const {
-            return u * other.w > other.u * w;
+            return u() * other.w() > other.u() * w();
         }
     };
     struct Piece {
@@ -112,50 +116,30 @@ class ScreenMesh::Walk {
         return is_down_ ? p.x - (x_ + 0.5) * p.z : p.y - (y_ + 0.5) * p.z;
     }
 
-    [[nodiscard]] Passage passage(std::uint32_t high, std::uint32_t low) const {
+    /// Fills `at` in place: what is copied right after waits for it.
+    void pass_over(std::uint32_t high, std::uint32_t low, Passage& at) const {
         const Vertex a = screen_.vertex(high);
         const Vertex b = screen_.vertex(low);
-        Passage at{high, low};
-        if (a.is_on_screen() && b.is_on_screen()) {
-            const double ha = height(high), hb = height(low);
-            const double t = ha > hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
-            const double from = is_down_ ? a.y - 256.0 * y_ - 128 : a.x - 256.0 * x_ - 128;
-            const double to = is_down_ ? b.y - 256.0 * y_ - 128 : b.x - 256.0 * x_ - 128;
-            at.s = sign_ * (from + t * (to - from)) / 256;
-            at.q = a.q + t * (b.q - a.q);
-            at.w = 1 / at.q;
-            at.u = at.s * at.w;
-            return at;
-        }
-        const double place = is_down_ ? x_ + 0.5 : y_ + 0.5;
-        const glm::dvec3 begin = screen_.p_clip(high), end = screen_.p_clip(low);
-        const auto clip_height = [&](const glm::dvec3& p) {
-            return (is_down_ ? p.x : p.y) - place * p.z;
-        };
-        const double ha = clip_height(begin), hb = clip_height(end);
-        const double t = ha != hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
-        const glm::dvec3 p = begin + t * (end - begin);
-        at.w = p.z;
-        at.u = sign_ * ((is_down_ ? p.y : p.x) - (0.5 + (is_down_ ? y_ : x_)) * p.z);
-        at.q = at.w > 0 ? 1 / at.w : 0;
-        at.s = at.w > 0 ? at.u / at.w : std::numeric_limits<double>::infinity();
-        return at;
+        at.high = high;
+        at.low = low;
+        at.is_on_screen = a.is_on_screen() && b.is_on_screen();
+        if (!at.is_on_screen) return pass_off_screen(at);
+        const double ha = height(high), hb = height(low);
+        const double t = ha > hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
+        const double from = is_down_ ? a.y - 256.0 * y_ - 128 : a.x - 256.0 * x_ - 128;
+        const double to = is_down_ ? b.y - 256.0 * y_ - 128 : b.x - 256.0 * x_ - 128;
+        at.s = sign_ * (from + t * (to - from)) / 256;
+        at.q = a.q + t * (b.q - a.q);
     }
-
-    /// Edge i of the face; its crossing if its ends lie on both sides.
-    [[nodiscard]] std::optional<Passage> crossing(const LookupFace& face, std::size_t i) const {
-        const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
-        const bool is_a_high = is_high(a);
-        if (is_a_high == is_high(b)) return std::nullopt;
-        return is_a_high ? passage(a, b) : passage(b, a);
-    }
+    void pass_off_screen(Passage& at) const;
 
     void run() {
         std::size_t exit = 0;
-        Passage in, out;
-        if (!start(exit, in, out)) return;
+        double s_in = 0, q_in = 0;
+        Passage out;
+        if (!start(exit, s_in, q_in, out)) return;
         for (int step = 0; step < screen_.options_.most_steps; ++step) {
-            note(in, out);
+            note(s_in, q_in, out);
             if (out.q * screen_.near_ > 1 || out.q <= 0) {
                 end_ = End::cut;
                 return;
@@ -172,7 +156,8 @@ class ScreenMesh::Walk {
                 end_ = End::arrived;
                 return;
             }
-            in = out;
+            s_in = out.s;
+            q_in = out.q;
             exit = leave(next.edge, out);
         }
     }
@@ -181,11 +166,12 @@ class ScreenMesh::Walk {
     bool ends_at_line(std::size_t exit, const Landing& next, const Passage& out) {
         if (goes_over_) {
             const std::size_t to = std::min(line_count_, lines_.size() - 1);
-            lines_[to] = {.face = at_,
-                          .edge = static_cast<std::uint8_t>(exit),
-                          .kind = kind_,
-                          .s = static_cast<float>(out.s),
-                          .q = static_cast<float>(out.q)};
+            Crossing& line = lines_[to];
+            line.face = at_;
+            line.edge = static_cast<std::uint8_t>(exit);
+            line.kind = kind_;
+            line.s = static_cast<float>(out.s);
+            line.q = static_cast<float>(out.q);
             line_count_ = to + 1;
             const bool is_border = next.face == kNoNeighbour || kind_ == LineKind::contour ||
                                    kind_ == LineKind::boundary;
@@ -200,23 +186,25 @@ class ScreenMesh::Walk {
         return true;
     }
 
-    /// Where the line leaves the first face.
-    bool start(std::size_t& exit, Passage& in, Passage& out) const {
-        const LookupFace& face = screen_.mesh_->faces[at_];
-        int found = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto at = crossing(face, i);
-            if (!at) continue;
-            if (found == 0 || at->is_ahead_of(out)) {
-                in = out;
-                out = *at;
-                exit = i;
-            } else {
-                in = *at;
-            }
-            ++found;
+    /// Where the line enters the first face, and leaves it.
+    bool start(std::size_t& exit, double& s_in, double& q_in, Passage& out) const {
+        const auto& v = screen_.mesh_->faces[at_].vertices;
+        const std::array<bool, 3> high = {is_high(v[0]), is_high(v[1]), is_high(v[2])};
+        if (high[0] == high[1] && high[1] == high[2]) return false;
+        // Both edges of the corner that is alone on its side.
+        const std::size_t alone = high[0] == high[1] ? 2 : high[0] == high[2] ? 1 : 0;
+        const std::array<std::size_t, 2> edges = {alone == 2 ? 1U : 0U, alone == 0 ? 2U : alone};
+        std::array<Passage, 2> passages;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::uint32_t a = v[edges[i]], b = v[(edges[i] + 1) % 3];
+            high[edges[i]] ? pass_over(a, b, passages[i]) : pass_over(b, a, passages[i]);
         }
-        return found == 2;
+        const std::size_t last = passages[1].is_ahead_of(passages[0]) ? 1 : 0;
+        exit = edges[last];
+        s_in = passages[1 - last].s;
+        q_in = passages[1 - last].q;
+        out = passages[last];
+        return true;
     }
 
     /// Over which edge the line leaves a face that it entered over another: over that of the two
@@ -232,17 +220,13 @@ class ScreenMesh::Walk {
         }
         const std::uint32_t third = face.vertices[(entered + 2) % 3];
         const bool is_third_high = is_high(third);
-        out = is_third_high ? passage(third, low) : passage(high, third);
+        is_third_high ? pass_over(third, low, out) : pass_over(high, third, out);
         return is_third_high ? of_low : of_high;
     }
 
-    void note(const Passage& in, const Passage& out) {
-        const Piece piece{in.s, in.q, out.s, out.q, at_};
-        if (piece_count_ < pieces_.size()) {
-            pieces_[piece_count_++] = piece;
-        } else {
-            pieces_.back() = piece;
-        }
+    void note(double s_in, double q_in, const Passage& out) {
+        if (piece_count_ < pieces_.size()) ++piece_count_;
+        pieces_[piece_count_ - 1] = {s_in, q_in, out.s, out.q, at_};
     }
 
     [[nodiscard]] glm::dvec3 p_world(std::uint32_t vertex) const {
