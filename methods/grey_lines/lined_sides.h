@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,13 +20,15 @@ class LinedSides {
     /// Forgets all, for a frame of samples.
     void reset(const raster::TileGrid& grid) { tiles_.reset(grid); }
 
-    /// Adds the lines of a side.
+    /// Adds the lines of a side. The sides of a row of a tile are added from the left on, those to
+    /// the right apart from those down.
     void add(int x, int y, bool is_down, std::span<const Line> lines) {
         if (lines.empty()) return;
         Tile& tile = tiles_.of(x, y);
         Sides& sides = is_down ? tile.down : tile.right;
+        if (sides.rows[row(y)] == 0)
+            sides.starts[row(y)] = static_cast<std::uint16_t>(tile.ends.size() - 1);
         sides.rows[row(y)] |= bit(x);
-        sides.places[Tiles::place(x, y)] = static_cast<std::uint16_t>(tile.ends.size() - 1);
         for (const Line& line : lines)  // few: less than a call that moves any number
             tile.lines.push_back(line);
         tile.ends.push_back(static_cast<std::uint32_t>(tile.lines.size()));
@@ -36,8 +39,9 @@ class LinedSides {
         if (x < 0 || y < 0 || x >= width_px() || y >= height_px()) return {};
         const Tile& tile = tiles_.of(x, y);
         const Sides& sides = is_down ? tile.down : tile.right;
-        if ((sides.rows[row(y)] & bit(x)) == 0) return {};
-        const std::size_t i = sides.places[Tiles::place(x, y)];
+        const std::uint64_t own = sides.rows[row(y)];
+        if ((own & bit(x)) == 0) return {};
+        const std::size_t i = sides.starts[row(y)] + std::popcount(own & (bit(x) - 1));
         return {tile.lines.data() + tile.ends[i], tile.ends[i + 1] - tile.ends[i]};
     }
 
@@ -71,7 +75,8 @@ class LinedSides {
     using Tiles = SampleTiles<Tile>;
     struct Sides {
         std::array<std::uint64_t, raster::kTileSize_px> rows{};  ///< those with lines
-        std::array<std::uint16_t, Tiles::kCount> places;         ///< of these, into `ends`
+        std::array<std::uint16_t, raster::kTileSize_px>
+            starts;  ///< of the first of a row, into `ends`
     };
     struct Tile {
         Sides right, down;
@@ -79,6 +84,7 @@ class LinedSides {
         std::vector<Line> lines;
 
         void clear() {
+            if (lines.empty()) return;
             right.rows.fill(0);
             down.rows.fill(0);
             ends.resize(1);
