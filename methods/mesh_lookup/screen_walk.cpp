@@ -6,12 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "scene/topology.h"
 
 namespace ink::methods {
 
-void ScreenMesh::Walk::pass_off_screen(Passage& at) const {
+double ScreenMesh::Walk::height_off_screen(std::uint32_t vertex) const {
+    const glm::dvec3 p = screen_.p_clip(vertex);
+    return is_down_ ? p.x - (x_ + 0.5) * p.z : p.y - (y_ + 0.5) * p.z;
+}
+
+/// w where the line crosses the edge, not above 0 behind the eye, and s w, which holds there, too.
+ScreenMesh::Walk::ClipPlace ScreenMesh::Walk::clip_place(const Passage& at) const {
+    if (at.is_on_screen) return {1 / at.q, at.s * (1 / at.q)};
     const double place = is_down_ ? x_ + 0.5 : y_ + 0.5;
     const glm::dvec3 begin = screen_.p_clip(at.high), end = screen_.p_clip(at.low);
     const auto clip_height = [&](const glm::dvec3& p) {
@@ -20,10 +28,19 @@ void ScreenMesh::Walk::pass_off_screen(Passage& at) const {
     const double ha = clip_height(begin), hb = clip_height(end);
     const double t = ha != hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
     const glm::dvec3 p = begin + t * (end - begin);
-    at.w_off_screen = p.z;
-    at.u_off_screen = sign_ * ((is_down_ ? p.y : p.x) - (0.5 + (is_down_ ? y_ : x_)) * p.z);
-    at.q = p.z > 0 ? 1 / p.z : 0;
-    at.s = p.z > 0 ? at.u_off_screen / p.z : std::numeric_limits<double>::infinity();
+    return {p.z, sign_ * ((is_down_ ? p.y : p.x) - (0.5 + (is_down_ ? y_ : x_)) * p.z)};
+}
+
+void ScreenMesh::Walk::pass_off_screen(Passage& at) const {
+    const ClipPlace place = clip_place(at);
+    at.q = place.w > 0 ? 1 / place.w : 0;
+    at.s = place.w > 0 ? place.s_w / place.w : std::numeric_limits<double>::infinity();
+}
+
+/// For w of either sign.
+bool ScreenMesh::Walk::is_ahead_off_screen(const Passage& at, const Passage& other) const {
+    const ClipPlace place = clip_place(at), before = clip_place(other);
+    return place.s_w * before.w > before.s_w * place.w;
 }
 
 /// How fast 1/w grows from an edge into a face, per px.

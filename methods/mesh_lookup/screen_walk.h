@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -83,17 +82,7 @@ class ScreenMesh::Walk {
         std::uint32_t low = 0;
         double s = 0;
         double q = 0;  ///< 1/w; 0 behind the eye
-        double w_off_screen =
-            0;  ///< of a vertex that is not on the screen; not above 0 behind the eye
-        double u_off_screen = 0;  ///< s w, which holds there, too
         bool is_on_screen = false;
-
-        [[nodiscard]] double w() const { return is_on_screen ? 1 / q : w_off_screen; }
-        [[nodiscard]] double u() const { return is_on_screen ? s * w() : u_off_screen; }
-        /// Whether the line meets this edge of a face behind that one, for w of either sign.
-        [[nodiscard]] bool is_ahead_of(const Passage& other) const {
-            return u() * other.w() > other.u() * w();
-        }
     };
     struct Piece {
         double s0, q0, s1, q1;
@@ -111,10 +100,16 @@ class ScreenMesh::Walk {
 
     [[nodiscard]] double height(std::uint32_t vertex) const {
         const Vertex v = screen_.vertex(vertex);
-        if (v.is_on_screen()) return is_down_ ? v.x - 256 * x_ - 128 : v.y - 256 * y_ - 128;
-        const glm::dvec3 p = screen_.p_clip(vertex);
-        return is_down_ ? p.x - (x_ + 0.5) * p.z : p.y - (y_ + 0.5) * p.z;
+        return v.is_on_screen() ? height(v) : height_off_screen(vertex);
     }
+    /// Of what is on the screen, from the line and along it, in 1/256 px.
+    [[nodiscard]] int height(const Vertex& v) const {
+        return is_down_ ? v.x - 256 * x_ - 128 : v.y - 256 * y_ - 128;
+    }
+    [[nodiscard]] int along(const Vertex& v) const {
+        return is_down_ ? v.y - 256 * y_ - 128 : v.x - 256 * x_ - 128;
+    }
+    [[nodiscard]] double height_off_screen(std::uint32_t vertex) const;
 
     /// Fills `at` in place: what is copied right after waits for it.
     void pass_over(std::uint32_t high, std::uint32_t low, Passage& at) const {
@@ -124,20 +119,32 @@ class ScreenMesh::Walk {
         at.low = low;
         at.is_on_screen = a.is_on_screen() && b.is_on_screen();
         if (!at.is_on_screen) return pass_off_screen(at);
-        const double ha = height(high), hb = height(low);
+        const double ha = height(a), hb = height(b);
         const double t = ha > hb ? std::clamp(ha / (ha - hb), 0.0, 1.0) : 0.5;
-        const double from = is_down_ ? a.y - 256.0 * y_ - 128 : a.x - 256.0 * x_ - 128;
-        const double to = is_down_ ? b.y - 256.0 * y_ - 128 : b.x - 256.0 * x_ - 128;
+        const double from = along(a), to = along(b);
         at.s = sign_ * (from + t * (to - from)) / 256;
         at.q = a.q + t * (b.q - a.q);
     }
     void pass_off_screen(Passage& at) const;
+    struct ClipPlace {
+        double w, s_w;
+    };
+    [[nodiscard]] ClipPlace clip_place(const Passage& at) const;
+
+    /// Whether the line meets an edge of a face behind another.
+    [[nodiscard]] bool is_ahead(const Passage& at, const Passage& other) const {
+        if (at.is_on_screen && other.is_on_screen) return at.s > other.s;
+        return is_ahead_off_screen(at, other);
+    }
+    [[nodiscard]] bool is_ahead_off_screen(const Passage& at, const Passage& other) const;
 
     void run() {
         std::size_t exit = 0;
-        double s_in = 0, q_in = 0;
-        Passage out;
-        if (!start(exit, s_in, q_in, out)) return;
+        std::array<Passage, 2> passages;
+        const auto last = start(passages, exit);
+        if (!last) return;
+        Passage& out = passages[*last];
+        double s_in = passages[1 - *last].s, q_in = passages[1 - *last].q;
         for (int step = 0; step < screen_.options_.most_steps; ++step) {
             note(s_in, q_in, out);
             if (out.q * screen_.near_ > 1 || out.q <= 0) {
@@ -186,25 +193,22 @@ class ScreenMesh::Walk {
         return true;
     }
 
-    /// Where the line enters the first face, and leaves it.
-    bool start(std::size_t& exit, double& s_in, double& q_in, Passage& out) const {
+    /// Where the line enters the first face and leaves it, over edge `exit`; returns which of
+    /// `passages` that is.
+    std::optional<std::size_t> start(std::array<Passage, 2>& passages, std::size_t& exit) const {
         const auto& v = screen_.mesh_->faces[at_].vertices;
         const std::array<bool, 3> high = {is_high(v[0]), is_high(v[1]), is_high(v[2])};
-        if (high[0] == high[1] && high[1] == high[2]) return false;
+        if (high[0] == high[1] && high[1] == high[2]) return std::nullopt;
         // Both edges of the corner that is alone on its side.
         const std::size_t alone = high[0] == high[1] ? 2 : high[0] == high[2] ? 1 : 0;
         const std::array<std::size_t, 2> edges = {alone == 2 ? 1U : 0U, alone == 0 ? 2U : alone};
-        std::array<Passage, 2> passages;
         for (std::size_t i = 0; i < 2; ++i) {
             const std::uint32_t a = v[edges[i]], b = v[(edges[i] + 1) % 3];
             high[edges[i]] ? pass_over(a, b, passages[i]) : pass_over(b, a, passages[i]);
         }
-        const std::size_t last = passages[1].is_ahead_of(passages[0]) ? 1 : 0;
+        const std::size_t last = is_ahead(passages[1], passages[0]) ? 1 : 0;
         exit = edges[last];
-        s_in = passages[1 - last].s;
-        q_in = passages[1 - last].q;
-        out = passages[last];
-        return true;
+        return last;
     }
 
     /// Over which edge the line leaves a face that it entered over another: over that of the two
