@@ -46,21 +46,19 @@ class Chords : public InkMethod {
     void look(const raster::Tile& tile) override {
         const LineWidths widths = this->widths();
         each_lined_side(tile, [&](int x, int y, bool is_down, const SideLines& lines) {
-            std::array<ChordEnd, kMostOfSide> ends;
-            std::size_t count = 0;
-            for (const Crossing& line : lines.all()) {
-                const float half_px = widths.half_px(line.kind, line.q);
-                if (count < kMostOfSide && half_px > 0) ends[count++] = end_of(line, half_px);
-            }
-            sides_.add(x, y, is_down, std::span(ends).first(count));
+            sides_.add(x, y, is_down, [&](std::vector<ChordEnd>& ends) {
+                std::size_t count = 0;
+                for (const Crossing& line : lines.all()) {
+                    const float half_px = widths.half_px(line.kind, line.q);
+                    if (!(half_px > 0) || ++count > kMostOfSide) continue;
+                    ends.emplace_back(name_of(line), byte(line.s), byte(half_px / most_half_px_));
+                }
+            });
         });
     }
 
-    [[nodiscard]] ChordEnd end_of(const Crossing& line, float half_px) const {
-        const auto byte = [](double share) {
-            return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0, 1.0) + 0.5);
-        };
-        return {name_of(line), byte(line.s), byte(half_px / most_half_px_)};
+    [[nodiscard]] static std::uint8_t byte(double share) {
+        return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0, 1.0) + 0.5);
     }
 
     /// Of an edge not 0, whichever of its faces the line is of; 0 of what has no edge.
@@ -94,15 +92,15 @@ class Chords : public InkMethod {
         });
     }
 
-    static Piece chord(const Crossed& from, const Crossed& to) {
-        return {from.at, to.at, from.half_px, to.half_px};
+    static void add_chord(const Crossed& from, const Crossed& to, std::vector<Piece>& pieces) {
+        pieces.emplace_back(from.at, to.at, from.half_px, to.half_px);
     }
 
     /// Ends of one edge are joined; of others two by a straight line, more over their middle.
     static void join_cell(const glm::dvec2& middle,
                           std::span<Crossed> crossed,
                           std::vector<Piece>& pieces) {
-        if (crossed.size() == 2) return pieces.push_back(chord(crossed[0], crossed[1]));
+        if (crossed.size() == 2) return add_chord(crossed[0], crossed[1], pieces);
         std::size_t left = 0;
         for (std::size_t i = 0; i < crossed.size(); ++i) {
             const auto known =
@@ -115,19 +113,19 @@ class Chords : public InkMethod {
                 crossed[left++] = crossed[i];
                 continue;
             }
-            pieces.push_back(chord(*known, crossed[i]));
+            add_chord(*known, crossed[i], pieces);
             std::copy(known + 1, crossed.begin() + static_cast<std::ptrdiff_t>(left), known);
             --left;
         }
         const std::span<Crossed> rest = crossed.first(left);
-        if (rest.size() == 2) return pieces.push_back(chord(rest[0], rest[1]));
+        if (rest.size() == 2) return add_chord(rest[0], rest[1], pieces);
         Crossed star{.at = rest.size() == 1 ? middle : glm::dvec2(0), .half_px = 0, .edge = 0};
         for (const Crossed& end : rest) {
             if (rest.size() > 1) star.at += end.at / static_cast<double>(rest.size());
         }
         for (const Crossed& end : rest) {
             star.half_px = end.half_px;
-            pieces.push_back(chord(end, star));
+            add_chord(end, star, pieces);
         }
     }
 

@@ -25,7 +25,6 @@ using Lanes = hn::CappedTag<float, kMostLanes>;
 constexpr int kStripRows = 16;
 constexpr int kQuarters = 4;
 constexpr std::size_t kPoints = std::size_t{kQuarters} * raster::kTileSize_px;  ///< in a row
-using Points = std::array<float, kStripRows * kPoints>;
 
 /// Where the points of a row are: from the left of the first pixel, and from above each.
 struct RowPlaces {
@@ -45,11 +44,17 @@ constexpr RowPlaces kPlaces;
 struct Strip {
     static constexpr float kNone = -1;
 
-    Points over, way_x, way_y;
+    /// By vectors, of each the first number, then the others: apart, they would be as far from each
+    /// other as a cache takes for the same place.
+    std::array<float, 3 * kStripRows * kPoints> nearest;
     std::array<std::uint64_t, kStripRows> touched{};  ///< pixels, a bit each
     std::array<float, kPoints> shares{};              ///< of a row while it is written, else 0
 
-    Strip() { over.fill(kNone); }
+    Strip() { nearest.fill(kNone); }
+    /// Of a vector of points.
+    [[nodiscard]] float* at(std::size_t row, std::size_t point) {
+        return &nearest[3 * (row * kPoints + point)];
+    }
 };
 
 /// Pixels from the first to the last of whose points a stroke may reach some which runs from `low`
@@ -123,15 +128,15 @@ HWY_INLINE void reach_over(
             const auto half =
                 hn::Add(hn::Set(d, piece.half_px), hn::Mul(t, hn::Set(d, piece.half_more_px)));
             const auto over = hn::Sub(half, length);
-            const std::size_t point = at * kPoints + static_cast<std::size_t>(i);
-            const auto before = hn::LoadU(d, &strip.over[point]);
+            float* const nearest = strip.at(at, static_cast<std::size_t>(i));
+            const auto before = hn::LoadU(d, nearest);
             const auto is_further = hn::Gt(over, before);
             const auto keep = [&](auto now, auto known, float* to) HWY_ATTR {
                 hn::StoreU(hn::IfThenElse(is_further, now, known), d, to);
             };
-            keep(over, before, &strip.over[point]);
-            keep(way_x, hn::LoadU(d, &strip.way_x[point]), &strip.way_x[point]);
-            keep(way_y, hn::LoadU(d, &strip.way_y[point]), &strip.way_y[point]);
+            keep(over, before, nearest);
+            keep(way_x, hn::LoadU(d, nearest + lanes), nearest + lanes);
+            keep(way_y, hn::LoadU(d, nearest + 2 * lanes), nearest + 2 * lanes);
         }
     }
 }
@@ -191,14 +196,14 @@ HWY_INLINE void find_shares(Strip& strip, std::size_t row) {
         const std::size_t x = static_cast<std::size_t>(std::countr_zero(rest)) & ~(pixels - 1);
         rest &= ~(own << x);
         for (std::size_t i = kQuarters * x; i < kQuarters * (x + pixels); i += lanes) {
-            const std::size_t point = row * kPoints + i;
-            const auto over = hn::LoadU(d, &strip.over[point]);
+            float* const nearest = strip.at(row, i);
+            const auto over = hn::LoadU(d, nearest);
             const auto is_reached = hn::Gt(over, hn::Set(d, -0.5F));
             if (hn::AllFalse(d, is_reached)) continue;
-            const auto share_of_each = share(
-                d, over, hn::LoadU(d, &strip.way_x[point]), hn::LoadU(d, &strip.way_y[point]));
-            hn::StoreU(hn::IfThenElseZero(is_reached, share_of_each), d, &strip.shares[i]);
-            hn::StoreU(hn::Set(d, Strip::kNone), d, &strip.over[point]);
+            const auto shares =
+                share(d, over, hn::LoadU(d, nearest + lanes), hn::LoadU(d, nearest + 2 * lanes));
+            hn::StoreU(hn::IfThenElseZero(is_reached, shares), d, &strip.shares[i]);
+            hn::StoreU(hn::Set(d, Strip::kNone), d, nearest);
         }
     }
 }
@@ -232,8 +237,14 @@ HWY_INLINE void write_row(Strip& strip, std::size_t row, int width_px, std::uint
     strip.touched[row] = 0;
 }
 
-void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
+/// Apart, or its place is asked for in each row of each piece.
+HWY_NOINLINE Strip& own_strip() {
     static thread_local Strip strip;
+    return strip;
+}
+
+void draw_in(std::span<const InkPiece> pieces, const InkTile& tile) {
+    Strip& strip = own_strip();
     for (int y0 = 0; y0 < tile.height_px; y0 += kStripRows) {
         const int rows = std::min(kStripRows, tile.height_px - y0);
         for (const InkPiece& piece : pieces)

@@ -20,17 +20,17 @@ class LinedSides {
     /// Forgets all, for a frame of samples.
     void reset(const raster::TileGrid& grid) { tiles_.reset(grid); }
 
-    /// Adds the lines of a side. The sides of a row of a tile are added from the left on, those to
-    /// the right apart from those down.
-    void add(int x, int y, bool is_down, std::span<const Line> lines) {
-        if (lines.empty()) return;
+    /// Adds the lines of a side, which append(lines) puts behind others. The sides of a row of a
+    /// tile are added from the left on, those to the right apart from those down.
+    template <class Append>
+    void add(int x, int y, bool is_down, const Append& append) {
         Tile& tile = tiles_.of(x, y);
+        append(tile.lines);
+        if (tile.lines.size() == tile.ends.back()) return;
         Sides& sides = is_down ? tile.down : tile.right;
         if (sides.rows[row(y)] == 0)
             sides.starts[row(y)] = static_cast<std::uint16_t>(tile.ends.size() - 1);
         sides.rows[row(y)] |= bit(x);
-        for (const Line& line : lines)  // few: less than a call that moves any number
-            tile.lines.push_back(line);
         tile.ends.push_back(static_cast<std::uint32_t>(tile.lines.size()));
     }
 

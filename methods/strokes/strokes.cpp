@@ -23,11 +23,11 @@ class Strokes : public InkMethod {
     }
     void look(const raster::Tile& tile) override {
         faces_.take(tile);
-        std::array<NamedCrossing, std::tuple_size_v<decltype(SideLines::crossings)>> named;
         each_lined_side(tile, [&](int x, int y, bool is_down, const SideLines& lines) {
-            for (std::size_t i = 0; i < lines.count; ++i)
-                named[i] = {name_of(lines.crossings[i], pass().screen()), lines.crossings[i]};
-            sides_.add(x, y, is_down, std::span(named).first(lines.count));
+            sides_.add(x, y, is_down, [&](std::vector<NamedCrossing>& named) {
+                for (const Crossing& line : lines.all())
+                    named.push_back({name_of(line, pass().screen()), line});
+            });
         });
     }
     void join(std::size_t tile, std::vector<Piece>& pieces) override {
