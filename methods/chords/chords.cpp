@@ -2,7 +2,10 @@
 // these crossings are drawn. The second pass asks no mesh.
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
+#include "core/parallel.h"
 #include "methods/grey_lines/ink_method.h"
 #include "methods/grey_lines/lined_sides.h"
 
@@ -34,11 +37,12 @@ class Chords : public InkMethod {
   private:
     static constexpr std::size_t kMostOfSide = 2;
     static constexpr std::size_t kMostOfCell = 4 * kMostOfSide;
+    static constexpr std::uint8_t kMostBetween = 115;  ///< 0.45
     /// A crossing in the frame.
     struct Crossed {
-        glm::dvec2 at;
-        float half_px;
-        std::uint32_t edge;
+        glm::dvec2 at{0};
+        float half_px = 0;
+        std::uint32_t edge = 0;
     };
 
     void begin(const raster::TileGrid& samples) override { sides_.reset(samples); }
@@ -96,37 +100,77 @@ class Chords : public InkMethod {
         pieces.emplace_back(from.at, to.at, from.half_px, to.half_px);
     }
 
-    /// Ends of one edge are joined; of others two by a straight line, more over their middle.
+    /// Ends of one edge are joined; of others two by a straight line, more over their middle. One
+    /// that is left ends at what hides it, the nearest chord, and without one halfway across.
     static void join_cell(const glm::dvec2& middle,
                           std::span<Crossed> crossed,
                           std::vector<Piece>& pieces) {
         if (crossed.size() == 2) return add_chord(crossed[0], crossed[1], pieces);
-        std::size_t left = 0;
-        for (std::size_t i = 0; i < crossed.size(); ++i) {
-            const auto known =
-                std::find_if(crossed.begin(),
-                             crossed.begin() + static_cast<std::ptrdiff_t>(left),
-                             [&](const Crossed& other) {
-                                 return other.edge != 0 && other.edge == crossed[i].edge;
-                             });
-            if (known == crossed.begin() + static_cast<std::ptrdiff_t>(left)) {
-                crossed[left++] = crossed[i];
-                continue;
-            }
-            add_chord(*known, crossed[i], pieces);
-            std::copy(known + 1, crossed.begin() + static_cast<std::ptrdiff_t>(left), known);
-            --left;
-        }
-        const std::span<Crossed> rest = crossed.first(left);
+        const std::size_t before = pieces.size();
+        const std::span<Crossed> rest = join_edges(crossed, pieces);
         if (rest.size() == 2) return add_chord(rest[0], rest[1], pieces);
-        Crossed star{.at = rest.size() == 1 ? middle : glm::dvec2(0), .half_px = 0, .edge = 0};
-        for (const Crossed& end : rest) {
-            if (rest.size() > 1) star.at += end.at / static_cast<double>(rest.size());
+        Crossed star;
+        if (rest.size() == 1) {
+            const std::span chords = std::span(pieces).subspan(before);
+            star.at = chords.empty() ? halfway(rest[0].at, middle) : nearest(rest[0].at, chords);
+        } else {
+            for (const Crossed& end : rest)
+                star.at += end.at / static_cast<double>(rest.size());
         }
         for (const Crossed& end : rest) {
             star.half_px = end.half_px;
             add_chord(end, star, pieces);
         }
+    }
+
+    /// Joins ends of one edge, and returns those that are left.
+    static std::span<Crossed> join_edges(std::span<Crossed> crossed, std::vector<Piece>& pieces) {
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < crossed.size(); ++i) {
+            const auto end = crossed.begin() + static_cast<std::ptrdiff_t>(left);
+            const auto known = std::find_if(crossed.begin(), end, [&](const Crossed& other) {
+                return other.edge != 0 && other.edge == crossed[i].edge;
+            });
+            if (known == end) {
+                crossed[left++] = crossed[i];
+                continue;
+            }
+            add_chord(*known, crossed[i], pieces);
+            std::copy(known + 1, end, known);
+            --left;
+        }
+        return crossed.first(left);
+    }
+
+    /// From a side straight on, as far as the middle of the cell.
+    static glm::dvec2 halfway(const glm::dvec2& from, const glm::dvec2& middle) {
+        const glm::dvec2 way = glm::abs(middle - from);
+        return way.x > way.y ? glm::dvec2(middle.x, from.y) : glm::dvec2(from.x, middle.y);
+    }
+
+    static glm::dvec2 nearest(const glm::dvec2& from, std::span<const Piece> chords) {
+        glm::dvec2 best = chords.front().a;
+        for (const Piece& chord : chords) {
+            const glm::dvec2 along = chord.b - chord.a;
+            const double t =
+                glm::dot(from - chord.a, along) / std::max(glm::dot(along, along), 1e-12);
+            const glm::dvec2 at = chord.a + std::clamp(t, 0.0, 1.0) * along;
+            if (glm::distance(at, from) < glm::distance(best, from)) best = at;
+        }
+        return best;
+    }
+
+    /// Lines of one pixel that are less than two apart are to stay two at half: of a pixel between
+    /// them ink is less.
+    void touch_up(int margin_px, int threads, edge::EdgeImage& out) override {
+        if (most_half_px_ > 0.5F) return;
+        core::parallel_for(sides_.tiles(), threads, [&](std::size_t tile) {
+            sides_.each_between(tile, [&](int x, int y) {
+                if (!out.contains(x - margin_px, y - margin_px)) return;
+                std::uint8_t& ink = out.at(x - margin_px, y - margin_px);
+                ink = std::min(ink, kMostBetween);
+            });
+        });
     }
 
     float most_half_px_;

@@ -50,6 +50,7 @@ raster::SkipCounts InkMethod::draw_lines(const method::Frame& frame, edge::EdgeI
     draw_pieces(pieces_,
                 {.columns = grid.columns(), .margin_px = margin_px, .threads = frame.threads},
                 out);
+    touch_up(margin_px, frame.threads, out);
     return result.skips;
 }
 

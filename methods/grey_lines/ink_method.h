@@ -51,6 +51,8 @@ class InkMethod : public buffers::SurfaceMethod<LookupPass> {
     virtual void look(const raster::Tile& tile) = 0;
     /// Appends the pieces of all cells of tile `tile`, once all tiles were looked at. Likewise.
     virtual void join(std::size_t tile, std::vector<Piece>& pieces) = 0;
+    /// Called last. Cell (x, y) is the pixel that lies `margin_px` further left and up.
+    virtual void touch_up(int /*margin_px*/, int /*threads*/, edge::EdgeImage& /*out*/) {}
 
     /// The widths in the frame that is drawn.
     [[nodiscard]] LineWidths widths() const { return {params_, pass().inputs().range()}; }

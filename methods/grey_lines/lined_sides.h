@@ -20,6 +20,10 @@ class LinedSides {
     /// Forgets all, for a frame of samples.
     void reset(const raster::TileGrid& grid) { tiles_.reset(grid); }
 
+    [[nodiscard]] std::size_t tiles() const {
+        return static_cast<std::size_t>(tiles_.grid().count());
+    }
+
     /// Adds the lines of a side, which append(lines) puts behind others. The sides of a row of a
     /// tile are added from the left on, those to the right apart from those down.
     template <class Append>
@@ -49,21 +53,27 @@ class LinedSides {
     /// between four samples, and is named by the upper left one.
     template <class Visit>
     void each_cell(std::size_t tile, const Visit& visit) const {
-        const raster::PixelRect own = tiles_.grid().own(static_cast<int>(tile));
-        const bool is_last_row = own.y1 >= height_px(), is_last_column = own.x1 >= width_px();
-        const auto is_empty = [&](int x, int y) { return tiles_.of(x, y).lines.empty(); };
-        if (is_empty(own.x0, own.y0) && (is_last_column || is_empty(own.x1, own.y0)) &&
-            (is_last_row || is_empty(own.x0, own.y1)))
-            return;
-        for (int y = own.y0; y < std::min(own.y1, height_px() - 1); ++y) {
-            std::uint64_t cells = right(own.x0, y) | right(own.x0, y + 1) | down(own.x0, y) |
-                                  down(own.x0, y) >> 1 |
-                                  down(own.x0 + raster::kTileSize_px, y) << Tiles::kMask;
-            for (; cells != 0; cells &= cells - 1) {
-                const int x = own.x0 + std::countr_zero(cells);
-                if (x < width_px() - 1) visit(x, y);
-            }
-        }
+        each_set(tile, visit, [&](int x, int y) { return cells(x, y); });
+    }
+
+    /// The same of cells without a line between two that have one, on the left and on the right, or
+    /// above and below.
+    template <class Visit>
+    void each_between(std::size_t tile, const Visit& visit) const {
+        const raster::PixelRect all = tiles_.grid().own(static_cast<int>(tile));
+        std::uint64_t above = cells(all.x0, all.y0 - 1), own = cells(all.x0, all.y0);
+        each_set(tile, visit, [&](int x, int y) {
+            const std::uint64_t below = cells(x, y + 1);
+            std::uint64_t left = own << 1, right = own >> 1;
+            // Of other tiles only what may matter.
+            if ((right & 1) != 0) left |= cells(x - raster::kTileSize_px, y) >> Tiles::kMask;
+            if (left >> Tiles::kMask != 0)
+                right |= cells(x + raster::kTileSize_px, y) << Tiles::kMask;
+            const std::uint64_t between = ~own & ((left & right) | (above & below));
+            above = own;
+            own = below;
+            return between;
+        });
     }
 
     [[nodiscard]] bool is_cell(int x, int y) const {
@@ -91,6 +101,28 @@ class LinedSides {
             lines.clear();
         }
     };
+
+    /// Calls visit(x, y) for each bit of rows(x, y) in the rows of a tile, from its first cell on.
+    template <class Visit, class Rows>
+    void each_set(std::size_t tile, const Visit& visit, const Rows& rows) const {
+        const raster::PixelRect own = tiles_.grid().own(static_cast<int>(tile));
+        const bool is_last_row = own.y1 >= height_px(), is_last_column = own.x1 >= width_px();
+        const auto is_empty = [&](int x, int y) { return tiles_.of(x, y).lines.empty(); };
+        if (is_empty(own.x0, own.y0) && (is_last_column || is_empty(own.x1, own.y0)) &&
+            (is_last_row || is_empty(own.x0, own.y1)))
+            return;
+        for (int y = own.y0; y < std::min(own.y1, height_px() - 1); ++y)
+            for (std::uint64_t bits = rows(own.x0, y); bits != 0; bits &= bits - 1)
+                visit(own.x0 + std::countr_zero(bits), y);
+    }
+    /// The cells with lines of a row of a tile whose first is (x, y); there may be none.
+    [[nodiscard]] std::uint64_t cells(int x, int y) const {
+        if (!is_cell(x, y)) return 0;
+        const int left = width_px() - 1 - x;
+        const std::uint64_t is_there = left > Tiles::kMask ? ~std::uint64_t{0} : bit(left) - 1;
+        return is_there & (right(x, y) | right(x, y + 1) | down(x, y) | down(x, y) >> 1 |
+                           down(x + raster::kTileSize_px, y) << Tiles::kMask);
+    }
 
     [[nodiscard]] int width_px() const { return tiles_.grid().width_px; }
     [[nodiscard]] int height_px() const { return tiles_.grid().height_px; }

@@ -126,6 +126,18 @@ TEST(GreyLines, APolygonOfManySidesIsDrawnWhole) {
     }
 }
 
+TEST(GreyLines, ChordsLessThanTwoPixelsApartStayTwoAtHalf) {
+    SeenPolygon bar;
+    bar.corners = {{20.3, 40.9}, {80.7, 40.9}, {80.7, 42.3}, {20.3, 42.3}};
+    const auto ink = bar.drawn_by("chords", 1);
+    for (int x = 30; x < 70; ++x) {
+        EXPECT_NEAR(ink.at(x, 40), 153, 2);
+        EXPECT_EQ(ink.at(x, 41), 115);
+        EXPECT_NEAR(ink.at(x, 42), 204, 2);
+    }
+    EXPECT_GT(bar.drawn_by("chords", 1.1).at(50, 41), 153);
+}
+
 TEST(GreyLines, ALineJustOutsideTheFrameReachesIn) {
     SeenPolygon wall;
     wall.corners = {{-0.75, 20.25}, {120.4, 20.25}, {120.4, 90}, {-0.75, 90}};
