@@ -127,6 +127,24 @@ uint end_of(uint line, int side) {
     return line == 0u ? 0u : line >> 8 << 16 | ((side & 1) == 0 ? place << 8 | far : far << 8 | place);
 }
 
+vec2 place(uint end) { return vec2(end >> 8 & 255u, end & 255u); }
+uint end_at(vec2 place) {
+    uvec2 nearest = uvec2(place + 0.5);
+    return nearest.x << 8 | nearest.y;
+}
+
+/// Where an end goes that is left alone: to the nearest chord, which hides it, and without one halfway across.
+uint end_of_lone(uint end) {
+    vec2 from = place(end), way = abs(from - 127.5), best = vec2(1e4);
+    if (drawn.x == 0u) return end_at(way.x > way.y ? vec2(127.5, from.y) : vec2(from.x, 127.5));
+    for (uvec4 rest = drawn; rest.x != 0u; rest = uvec4(rest.yzw, 0)) {
+        vec2 first = place(rest.x >> 16), along = place(rest.x) - first;
+        vec2 at = first + clamp(dot(from - first, along) / max(dot(along, along), 1e-9), 0.0, 1.0) * along;
+        if (distance(at, from) < distance(best, from)) best = at;
+    }
+    return end_at(best);
+}
+
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
     drawn = uvec4(0);
@@ -147,11 +165,10 @@ void main() {
     for (int i = 0; i < 8; ++i) {
         if (ends[i] == 0u) continue;
         count += 1.0;
-        sum += vec2(ends[i] >> 8 & 255u, ends[i] & 255u);
+        sum += place(ends[i]);
         last = ends[i];
     }
-    uvec2 middle = uvec2(sum / max(count, 1.0) + 0.5);
-    uint star = count == 1.0 ? 0x8080u : count == 2.0 ? last : middle.x << 8 | middle.y;
+    uint star = count == 1.0 ? end_of_lone(last) : count == 2.0 ? last : end_at(sum / max(count, 1.0));
     for (int i = 0; i < 8; ++i)
         if (ends[i] != 0u && ends[i] != star) join(ends[i], star);
 }
@@ -170,6 +187,14 @@ vec4 share_within(vec4 x, vec4 larger, vec4 smaller) {
     vec4 less = mix(trapezium, corner, lessThan(left, smaller));
     less = mix(vec4(0), less, greaterThan(left, vec4(0)));
     return mix(less, 1.0 - less, greaterThan(x, vec4(0)));
+}
+
+bool is_lined(ivec2 cell) { return texelFetch(pieces, cell, 0).x != 0u; }
+
+/// Whether a pixel lies between lines of one pixel that are less than two apart, which are to stay two at half.
+bool is_between(ivec2 p) {
+    if (widthPx > 1.0 || is_lined(p)) return false;
+    return is_lined(p - ivec2(1, 0)) && is_lined(p + ivec2(1, 0)) || is_lined(p - ivec2(0, 1)) && is_lined(p + ivec2(0, 1));
 }
 
 void main() {
@@ -196,5 +221,5 @@ void main() {
     vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
     larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
     vec4 shares = share_within(2.0 * over, larger, smaller) - share_within(2.0 * (over - widthPx), larger, smaller);
-    line = vec4(dot(shares, vec4(0.25)));
+    line = vec4(min(dot(shares, vec4(0.25)), is_between(p) ? 0.45 : 1.0));
 }
