@@ -55,9 +55,10 @@ STAGES = [
 LINE_STAGES = [
     ("sides listed", r"methods::(N_\w+::)?(list_in|list_sides|AskedSides)|SampleFaces::"),
     ("walks", r"ScreenMesh::|each_lined_side|(Strokes|Chords)::look|SideLookup::"),
-    ("pieces", r"CellStrokes::|LineFollower::|(Strokes|Chords)::(join|begin)|methods::(\(anonymous namespace\)::)?"
+    ("pieces", r"CellStrokes::|LineFollower::|(Strokes|Chords)::(join|begin|touch_up)|__popcountdi2|"
+               r"methods::Piece.*emplace_back|methods::(\(anonymous namespace\)::)?"
                r"(end_in_cell|near_sides|is_seen|clip_to_cell|edge_segment|intersection_segment|plane_q|depth_plane)"),
-    ("ink", r"methods::((N_\w+::)?draw_in|draw_ink|draw_pieces|.*seen_from)"),
+    ("ink", r"methods::((N_\w+::)?(draw_in|own_strip)|draw_ink|draw_pieces|.*see_from|InkPiece.*emplace_back)"),
 ]
 
 # Threads that wait for each other at the start, as long as it takes: no part of a frame.
