@@ -189,12 +189,10 @@ vec4 share_within(vec4 x, vec4 larger, vec4 smaller) {
     return mix(less, 1.0 - less, greaterThan(x, vec4(0)));
 }
 
-bool is_lined(ivec2 cell) { return texelFetch(pieces, cell, 0).x != 0u; }
-
-/// Whether a pixel lies between lines of one pixel that are less than two apart, which are to stay two at half.
-bool is_between(ivec2 p) {
-    if (widthPx > 1.0 || is_lined(p)) return false;
-    return is_lined(p - ivec2(1, 0)) && is_lined(p + ivec2(1, 0)) || is_lined(p - ivec2(0, 1)) && is_lined(p + ivec2(0, 1));
+/// Whether a pixel lies between lines of one pixel that are less than two apart, which are to stay two at half;
+/// `lined`: of those above, left, here, right and below, whether a line runs through, a bit each.
+bool is_between(uint lined) {
+    return widthPx <= 1.0 && (lined & 4u) == 0u && ((lined & 10u) == 10u || (lined & 17u) == 17u);
 }
 
 void main() {
@@ -202,11 +200,13 @@ void main() {
     ivec2 p = ivec2(gl_FragCoord.xy) + reach;
     // Of the middles of the pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
     vec4 over = vec4(-1), way_x = vec4(0), way_y = vec4(0);
+    uint lined = 0u;
     uvec4 cell = uvec4(0);
     for (int x = -reach - 1, y = -reach; ; cell = uvec4(cell.yzw, 0)) {  // a piece, of whichever cell has the next
         for (; cell.x == 0u && (x < reach || y < reach); cell = texelFetch(pieces, p + ivec2(x, y), 0))
             if (++x > reach) x = -reach, ++y;
         if (cell.x == 0u) break;
+        if (x * x + y * y <= 1) lined |= 1u << (2 * y + x + 2);
         vec4 ends = vec4(cell.x >> 24, cell.x >> 16 & 255u, cell.x >> 8 & 255u, cell.x & 255u) / 255.0;
         vec2 from = ends.xy + vec2(x, y), along = ends.zw - ends.xy;
         vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
@@ -221,5 +221,5 @@ void main() {
     vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
     larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
     vec4 shares = share_within(2.0 * over, larger, smaller) - share_within(2.0 * (over - widthPx), larger, smaller);
-    line = vec4(min(dot(shares, vec4(0.25)), is_between(p) ? 0.45 : 1.0));
+    line = vec4(min(dot(shares, vec4(0.25)), is_between(lined) ? 0.45 : 1.0));
 }
