@@ -12,9 +12,10 @@ namespace {
 
 // Found on characters and bent tubes, in views and moments that are none of these:
 // experiments/notes/repair.md.
-constexpr int kMoments = 8;     ///< of a motion: its end, and seven before it
-constexpr int kMostViews = 32;  ///< of a pose
-constexpr int kLeastViews = 6;  ///< the same where poses are many
+constexpr int kMoments = 8;  ///< of a motion: its end, and seven before it
+constexpr int kViewsAtRest = 32;
+constexpr int kMostViews = 96;   ///< of a pose in motion, of a quarter of the pixels
+constexpr int kLeastViews = 24;  ///< the same where poses are many
 constexpr int kAllViews = 9 * kMostViews;
 constexpr int kRepairMoves = 16000;
 
@@ -45,8 +46,12 @@ std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
                                           std::span<const scene::Scene> motions) {
     SurfaceCodes codes(code_options(params, setup));
     codes.prepare(scene);
-    const std::size_t poses = 1 + kMoments * motions.size();
-    const int views = std::clamp(kAllViews / static_cast<int>(poses), kLeastViews, kMostViews);
+    RandomViews views{.poses = 1 + kMoments * motions.size(), .views = kViewsAtRest};
+    if (!motions.empty()) {
+        views.views =
+            std::clamp(kAllViews / static_cast<int>(views.poses), kLeastViews, kMostViews);
+        views.width_px /= 2, views.height_px /= 2;
+    }
     const auto each_pose = [&](const auto& visit) {
         visit(scene);
         for (const scene::Scene& motion : motions)
@@ -58,7 +63,7 @@ std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
             }
     };
     const auto heights = codes.heights(codes.object_lengths(object_length_px(setup)));
-    const SeenSquares squares = seen_squares(codes, params.crease_deg, {poses, views}, each_pose);
+    const SeenSquares squares = seen_squares(codes, params.crease_deg, views, each_pose);
     return codes.codes_of(
         repaired_heights(codes.mesh(), codes.range(), squares, heights, kRepairMoves));
 }

@@ -12,12 +12,12 @@
 namespace ink::methods {
 namespace {
 
-constexpr int kSeenWidth_px = 1280;
-constexpr int kSeenHeight_px = 720;
 constexpr std::size_t kMostSquares = 6'000'000;
 
 /// A camera that has most of a ball in view.
-scene::View random_view(const scene::Sphere& bounds, std::mt19937& random) {
+scene::View random_view(const RandomViews& from,
+                        const scene::Sphere& bounds,
+                        std::mt19937& random) {
     const auto number = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
     };
@@ -27,7 +27,7 @@ scene::View random_view(const scene::Sphere& bounds, std::mt19937& random) {
     } while (glm::dot(way, way) > 1 || glm::dot(way, way) < 1e-4);
     way.y *= 0.7;  // models are seen from the side more than from above
     const double distance = bounds.radius * number(2.3, 3.5);
-    scene::View view{{}, kSeenWidth_px, kSeenHeight_px};
+    scene::View view{{}, from.width_px, from.height_px};
     view.camera = scene::look_at(bounds.center_world + distance * glm::normalize(way),
                                  bounds.center_world,
                                  {0, 1, 0},
@@ -144,7 +144,7 @@ SeenSquares seen_squares(const SurfaceCodes& codes,
         drawing.pose(scene);
         const std::size_t most = kMostSquares / from.poses * ++pose;
         for (int i = 0; i < from.views; ++i)
-            drawing.add(random_view(scene.bounds(), random), most);
+            drawing.add(random_view(from, scene.bounds(), random), most);
     });
     return drawing.take();
 }

@@ -33,6 +33,7 @@ struct RandomViews {
     std::size_t poses = 1;
     int views = 1;  ///< of each pose
     std::uint32_t seed = 7;
+    int width_px = 1280, height_px = 720;
 };
 
 /// Calls its argument with a scene in pose after pose.
