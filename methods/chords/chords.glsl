@@ -54,7 +54,7 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
     uvec2 kept = uvec2(0);
     bool is_sky = a == 0u || b == 0u;
     uint face_a = a & 0x7fffffu, face_b = b & 0x7fffffu;
-    Walk there = Walk(lost, vec2(0), vec2(0), uvec4(0), -1.0), back = there;
+    Walk there = Walk(lost, vec2(0), 0u, vec2(0), uvec4(0), -1.0), back = there;
     for (int i = 0; i < 3; ++i) {  // there, back, and there again where the other line hides this surface
         bool is_back = i == 1;
         if ((is_back ? b : a) == 0u) continue;

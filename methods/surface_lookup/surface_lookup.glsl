@@ -110,7 +110,7 @@ ivec2 at(int i) { return ivec2(i & 4095, i >> 12); }
 
 /// A corner of a face in the view, and on the screen times w, which holds behind the eye, too: 1/256 px along a walk
 /// and beside it, w, and 1/distance.
-struct Corner { uint point; vec3 p_view; vec4 h; };
+struct Corner { vec3 p_view; vec4 h; };
 
 Corner corner_of(uint point, ivec2 from, ivec2 to) {
     vec4 p_view = modelViewMatrix * texelFetch(points, at(int(point)), 0);
@@ -122,17 +122,14 @@ Corner corner_of(uint point, ivec2 from, ivec2 to) {
     // Of a parallel camera as `nearness` above.
     float z = projectionMatrix[2][2] < 0.0 ? 1.0 - clip.z : clip.z;
     float q = projectionMatrix[3][3] == 0.0 ? 1.0 : z / abs(projectionMatrix[2][2]);
-    return Corner(point, p_view.xyz, vec4(dot(place, vec2(to)), to.x == 0 ? place.x : place.y, clip.w, q));
+    return Corner(p_view.xyz, vec4(dot(place, vec2(to)), to.x == 0 ? place.x : place.y, clip.w, q));
 }
 
 /// Which side of a face is seen.
-float facing_of(Corner a, Corner b, Corner c) {
-    vec3 n = cross(b.p_view - a.p_view, c.p_view - a.p_view);
-    return sign(projectionMatrix[3][3] == 0.0 ? dot(n, a.p_view) : -n.z);
+float facing_of(Corner c[3]) {
+    vec3 n = cross(c[1].p_view - c[0].p_view, c[2].p_view - c[0].p_view);
+    return sign(projectionMatrix[3][3] == 0.0 ? dot(n, c[0].p_view) : -n.z);
 }
-
-/// On which side of a walk a corner lies.
-bool is_high(Corner corner) { return corner.h.y > 0.0; }
 
 /// Where a walk crosses an edge: px from its sample, and 1/distance there; 0 behind the eye.
 vec2 crossing_of(Corner a, Corner b) {
@@ -140,9 +137,9 @@ vec2 crossing_of(Corner a, Corner b) {
     return h.z > 0.0 ? vec2(h.x / 256.0, h.w) / h.z : vec2(h.x > 0.0 ? 1e9 : -1e9, 0);
 }
 
-/// How a walk ended, where (as crossing_of), and where it came to that face; where lines are noted, the last four, the
-/// newest first, and 1/distance at `asked`, below 0 if it did not come there.
-struct Walk { int end; vec2 left; vec2 entered; uvec4 lines; float q_asked; };
+/// How a walk ended, where (as crossing_of), on which face, and where it came to that; where lines are noted, the
+/// last four, the newest first, and 1/distance at `asked`, below 0 if it did not come there.
+struct Walk { int end; vec2 left; uint face; vec2 entered; uvec4 lines; float q_asked; };
 
 /// 1/distance of the last face at s px from the walk's sample.
 float q_on(Walk walk, float s) {
@@ -156,73 +153,59 @@ uint line_word(uint corner, uint other, float s) {
     return name << 8 | uint(255.0 * clamp(s, 0.0, 1.0) + 0.5);
 }
 
-/// The one of three at an edge's beginning.
-Corner corner_at(int edge, Corner a, Corner b, Corner c) {
-    if (edge == 0) return a;
-    if (edge == 1) return b;
-    return c;
-}
-
-int after(int edge) { return edge == 2 ? 0 : edge + 1; }
-int before(int edge) { return edge == 0 ? 2 : edge - 1; }
-
 /// From the face at one sample along `to`, until the face `goal`, a line or past the next sample.
 Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
-    Walk walk = Walk(lost, vec2(0), vec2(0), uvec4(0), -1.0);
+    Walk walk = Walk(lost, vec2(0), face, vec2(0), uvec4(0), -1.0);
+    Corner c[3];
     uvec4 corners = texelFetch(faces, at(2 * int(face)), 0);
-    Corner a = corner_of(corners.x, from, to), b = corner_of(corners.y, from, to), c = corner_of(corners.z, from, to);
-    if (is_high(a) == is_high(b) && is_high(a) == is_high(c)) return walk;
-    float facing = facing_of(a, b, c);
-    // Two edges are crossed, before and after the corner that lies alone on its side.
-    int leaves = is_high(a) == is_high(b) ? 2 : is_high(a) == is_high(c) ? 1 : 0;
-    Corner alone = corner_at(leaves, a, b, c), left = corner_at(before(leaves), a, b, c), right = corner_at(after(leaves), a, b, c);
-    walk.entered = crossing_of(left, alone), walk.left = crossing_of(alone, right);
-    a = alone, b = right;
-    if (walk.entered.x > walk.left.x || (walk.entered.x == walk.left.x && leaves != 0)) {
-        vec2 last = walk.entered;
-        walk.entered = walk.left, walk.left = last;
-        a = left, b = alone, leaves = before(leaves);
+    for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
+    int leaves = -1, count = 0;
+    for (int i = 0; i < 3; ++i) {
+        int k = (i + 1) % 3;
+        if ((c[i].h.y > 0.0) == (c[k].h.y > 0.0)) continue;
+        vec2 found = crossing_of(c[i], c[k]);
+        bool is_last = count == 0 || found.x > walk.left.x;
+        if (is_last) walk.entered = walk.left, walk.left = found, leaves = i;
+        else walk.entered = found;
+        ++count;
     }
-    bool is_turned = false;  // faces that are wound otherwise than the first
-    for (int step = 0; step < 64; ++step) {  // over the edge from a to b
+    if (count != 2) return walk;
+    float facing = facing_of(c);
+    for (int step = 0; step < 64; ++step) {
         if (notes_lines && walk.q_asked < 0.0 && walk.left.x >= asked) walk.q_asked = q_on(walk, asked);
         if (walk.left.x > 1.0 + 1.0 / 256.0) {
             walk.end = walk.left.y > 0.0 ? beyond : cut;
-            break;
+            return walk;
         }
-        uvec4 rest = texelFetch(faces, at(2 * int(face) + 1), 0);
-        uint twin = leaves == 0 ? rest.x : leaves == 1 ? rest.y : rest.z;
-        bool has_kind = (rest.w & (leaves == 0 ? 7u : leaves == 1 ? 56u : 448u)) != 0u, is_open = false;
-        uint noted = notes_lines ? line_word(a.point, b.point, walk.left.x) : 0u;
+        uvec4 rest = texelFetch(faces, at(2 * int(walk.face) + 1), 0);
+        uint twin = rest[leaves];
+        uint next = (twin & 0x3ffffffcu) >> 2;
         int edge = int(twin & 3u);
-        face = (twin & 0x3ffffffcu) >> 2;
-        if (twin != nothing && twin != many) {
-            corners = texelFetch(faces, at(2 * int(face)), 0);
-            is_turned = is_turned != ((twin & 0x80000000u) != 0u);
-            // Faces that are as good as joined have each their own points.
-            uint other_a = corners[is_turned ? edge : after(edge)], other_b = corners[is_turned ? after(edge) : edge];
-            if (other_a != a.point) a = corner_of(other_a, from, to);
-            if (other_b != b.point) b = corner_of(other_b, from, to);
-            c = corner_of(corners[before(edge)], from, to);
-            is_open = facing != 0.0 && facing_of(b, a, c) == facing;
+        bool is_two = twin != nothing && twin != many;
+        uint kind = rest.w >> (3 * leaves) & 7u;
+        uint noted = notes_lines ? line_word(corners[leaves], corners[(leaves + 1) % 3], walk.left.x) : 0u;
+        float facing_next = 0.0;
+        if (is_two) {
+            corners = texelFetch(faces, at(2 * int(next)), 0);
+            for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
+            facing_next = facing_of(c);
         }
-        if (!is_open || has_kind) {
+        bool is_open = is_two && facing != 0.0 && facing_next == ((twin & 0x80000000u) != 0u ? -facing : facing);
+        if (!is_open || kind != 0u) {
             if (notes_lines) walk.lines = uvec4(noted, walk.lines.xyz);
             if (!is_open || !notes_lines) {
                 walk.end = twin == many ? fork : twin == nothing ? border : other_line;
-                break;
+                return walk;
             }
         }
-        if (face == goal) {
-            walk.end = arrived;
-            break;
-        }
-        bool is_after = is_high(c) == (is_turned ? is_high(a) : is_high(b));
-        leaves = is_after ? after(edge) : before(edge);
-        if (is_after != is_turned) b = c;
-        else a = c;
+        walk.face = next;
+        walk.end = next == goal ? arrived : lost;
+        if (next == goal) return walk;
+        facing = facing_next;
+        bool is_high = c[(edge + 2) % 3].h.y > 0.0;
+        leaves = (edge + (is_high == (c[edge].h.y > 0.0) ? 1 : 2)) % 3;
         walk.entered = walk.left;
-        walk.left = crossing_of(a, b);
+        walk.left = crossing_of(c[leaves], c[(leaves + 1) % 3]);
     }
     return walk;
 }

@@ -47,8 +47,8 @@ TEST(MakeDrawing, PlainIsInkOnPaperWhereResponsesAreFull) {
 
 TEST(MakeDrawing, IsReadAsTheSharesThatItsInkHas) {
     const core::TempFolder folder;
-    const Drawing drawing = make_drawing(
-        small_scene_views(), methods::make_configs("strokes", {}).front(), {});
+    const Drawing drawing =
+        make_drawing(small_scene_views(), methods::make_configs("strokes", {}).front(), {});
     write_drawing(drawing.image, folder / "drawn.png");
     const edge::EdgeImage read = harness::read_outline_image(folder / "drawn.png").responses;
     ASSERT_EQ(read.size(), drawing.edge_responses.size());
