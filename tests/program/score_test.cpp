@@ -67,9 +67,11 @@ TEST(Score, FilesWithoutATruthAreNamed) {
     EXPECT_THAT(scored.err, HasSubstr("truths has no truth for extra.png"));
     const auto json = nlohmann::json::parse(scored.out);
     EXPECT_EQ(json.at("unmatched"), nlohmann::json({"extra.png"}));
-    EXPECT_EQ(json.at("images").at("cube").at("notes").size(), 1U);
-    EXPECT_THAT(desk.run("score drawn truths").out,
-                HasSubstr("read as float values as a screen shows them (sRGB): cube\n"));
+    EXPECT_EQ(json.at("images").at("cube").at("notes").size(), 2U);
+    EXPECT_THAT(
+        desk.run("score drawn truths").out,
+        HasSubstr("read as float values as a screen shows them (sRGB); its greys taken as light, "
+                  "as the file says: cube\n"));
 }
 
 TEST(Score, AModelIsTracedInTheSizeOfTheImage) {
@@ -179,7 +181,7 @@ TEST(Score, OfImagesFromElsewhereSaysHowItReadThemAndWhatIsWrong) {
         std::string doubts;
     };
     const std::map<std::string, Said> of_images = {
-        {"drawn.png", {"", ""}},
+        {"drawn.png", {"its greys taken as light, as the file says", ""}},
         {"sixteen.png", {"16 bits rounded to 8", ""}},
         {"float.exr", {"float values as a screen shows them (sRGB)", ""}},
         {"black_overlay.png", {"its alpha laid over white", ""}},
