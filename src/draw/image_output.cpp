@@ -7,6 +7,10 @@ void write_drawing(const RgbImage& image, const std::filesystem::path& path) {
     image_io::write_png(image, path, {{image_io::kMixedText, "linear"}});
 }
 
+void write_colours(const RgbImage& image, const std::filesystem::path& path) {
+    image_io::write_png(image, path);
+}
+
 void write_responses(const edge::EdgeImage& edge_responses, const std::filesystem::path& path) {
     image_io::write_png(edge_responses, path);
 }

@@ -11,6 +11,9 @@ namespace ink::draw {
 /// file cannot be written.
 void write_drawing(const RgbImage& image, const std::filesystem::path& path);
 
+/// The same of colours that are no ink on paper: a buffer, an error image, shading alone.
+void write_colours(const RgbImage& image, const std::filesystem::path& path);
+
 /// Writes bare edge responses as an 8-bit grey PNG, which `inkbench score` takes.
 void write_responses(const edge::EdgeImage& edge_responses, const std::filesystem::path& path);
 

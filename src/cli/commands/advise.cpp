@@ -231,7 +231,7 @@ void write_picture(const fs::path& cache, const Advice& advice) {
     const auto labels =
         advice.is_crowded ? traced.truth.with_crowded->labels : traced.truth.counted_labels();
     const auto marked = draw::mark_errors(labels, drawing.edge_responses, marks);
-    draw::write_drawing(draw::error_image(marked), advice.picture);
+    draw::write_colours(draw::error_image(marked), advice.picture);
 }
 
 /// The rows of every method on every view; the run lives in `folder`.

@@ -68,7 +68,7 @@ void write_layer(const DrawArgs& args,
                  const method::MethodConfig& config,
                  const draw::DrawOptions& options) {
     const method::Layer layer = draw::draw_layer(scene_views, config, args.layer, options);
-    draw::write_drawing(layer.rgb, args.file);
+    draw::write_colours(layer.rgb, args.file);
     fmt::print("{}\n", args.file);
     if (!layer.note.empty()) fmt::print("{}\n", layer.note);
 }
@@ -99,7 +99,7 @@ void run_draw(const DrawArgs& args) {
     } else if (args.edge_response) {
         draw::write_responses(drawing.edge_responses, path);
     } else if (args.no_lines) {
-        draw::write_drawing(drawing.shading, path);
+        draw::write_colours(drawing.shading, path);
     } else {
         draw::write_drawing(drawing.image, path);
     }
