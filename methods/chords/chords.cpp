@@ -19,9 +19,14 @@ struct ChordEnd {
     std::uint8_t width = 0;  ///< of the widest
 };
 
+struct ChordParams : InkParams {
+    /// Lines of a bundle are drawn as one, as often as they are true as one. From the catalogue.
+    ChordParams() { threshold = 110; }
+};
+
 class Chords : public InkMethod {
   public:
-    using Params = InkParams;
+    using Params = ChordParams;
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
         return add_ink_params(table);
@@ -37,7 +42,8 @@ class Chords : public InkMethod {
   private:
     static constexpr std::size_t kMostOfSide = 2;
     static constexpr std::size_t kMostOfCell = 4 * kMostOfSide;
-    static constexpr std::uint8_t kMostBetween = 115;  ///< 0.45
+    static constexpr std::uint8_t kMostBetween = 104;   ///< 0.41
+    static constexpr std::uint8_t kLeastOfSpike = 115;  ///< 0.45
     /// A crossing in the frame.
     struct Crossed {
         glm::dvec2 at{0};
@@ -45,7 +51,10 @@ class Chords : public InkMethod {
         std::uint32_t edge = 0;
     };
 
-    void begin(const raster::TileGrid& samples) override { sides_.reset(samples); }
+    void begin(const raster::TileGrid& samples) override {
+        sides_.reset(samples);
+        spikes_.resize(sides_.tiles());
+    }
 
     void look(const raster::Tile& tile) override {
         const LineWidths widths = this->widths();
@@ -76,11 +85,14 @@ class Chords : public InkMethod {
     }
 
     void join(std::size_t tile, std::vector<Piece>& pieces) override {
+        spikes_[tile].clear();
         sides_.each_cell(tile, [&](int x, int y) {
             std::array<Crossed, kMostOfCell> crossed;
-            std::size_t count = 0;
+            std::size_t count = 0, most_of_side = 0;
             const auto add = [&](int dx, int dy, bool is_down) {
-                for (const ChordEnd& end : sides_.at(x + dx, y + dy, is_down)) {
+                const auto ends = sides_.at(x + dx, y + dy, is_down);
+                most_of_side = std::max(most_of_side, ends.size());
+                for (const ChordEnd& end : ends) {
                     const double s = places_[end.place];
                     crossed[count++] = {
                         .at = {x + dx + (is_down ? 0 : s), y + dy + (is_down ? s : 0)},
@@ -92,6 +104,7 @@ class Chords : public InkMethod {
             add(1, 0, true);
             add(0, 1, false);
             add(0, 0, true);
+            if (count == most_of_side) spikes_[tile].emplace_back(x, y);
             join_cell({x + 0.5, y + 0.5}, std::span(crossed).first(count), pieces);
         });
     }
@@ -160,16 +173,19 @@ class Chords : public InkMethod {
         return best;
     }
 
-    /// Lines of one pixel that are less than two apart are to stay two at half: of a pixel between
-    /// them ink is less.
+    /// Of lines of one pixel. Two that are less than two apart are to stay two at half: ink is less
+    /// of a pixel between them. A spike is shorter than its samples tell, and is to stay at half.
     void touch_up(int margin_px, int threads, edge::EdgeImage& out) override {
         if (most_half_px_ > 0.5F) return;
+        const auto keep = [&](int x, int y, std::uint8_t least, std::uint8_t most) {
+            if (!out.contains(x - margin_px, y - margin_px)) return;
+            std::uint8_t& ink = out.at(x - margin_px, y - margin_px);
+            ink = std::clamp(ink, least, most);
+        };
         core::parallel_for(sides_.tiles(), threads, [&](std::size_t tile) {
-            sides_.each_between(tile, [&](int x, int y) {
-                if (!out.contains(x - margin_px, y - margin_px)) return;
-                std::uint8_t& ink = out.at(x - margin_px, y - margin_px);
-                ink = std::min(ink, kMostBetween);
-            });
+            sides_.each_between(tile, [&](int x, int y) { keep(x, y, 0, kMostBetween); });
+            for (const glm::ivec2& cell : spikes_[tile])
+                keep(cell.x, cell.y, kLeastOfSpike, 255);
         });
     }
 
@@ -177,6 +193,8 @@ class Chords : public InkMethod {
     std::array<double, 256> places_;    ///< of a byte
     std::array<float, 256> halves_px_;  ///< likewise
     LinedSides<ChordEnd> sides_;
+    std::vector<std::vector<glm::ivec2>>
+        spikes_;  ///< cells crossed twice, and on one side, by tile
 };
 
 }  // namespace

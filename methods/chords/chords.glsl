@@ -195,12 +195,20 @@ bool is_between(uint lined) {
     return widthPx <= 1.0 && (lined & 4u) == 0u && ((lined & 10u) == 10u || (lined & 17u) == 17u);
 }
 
+/// Whether the one piece of a cell goes from one side back to it, or to none: of lines of one pixel that is to stay at half.
+bool is_spike(vec4 ends) {
+    bvec4 at_side = equal(fract(ends), vec4(0));
+    bvec2 on_one = equal(ends.xy, ends.zw);
+    return widthPx <= 1.0 && (on_one.x && at_side.x || on_one.y && at_side.y || !(at_side.z || at_side.w));
+}
+
 void main() {
     int reach = int(ceil(0.5 * widthPx));
     ivec2 p = ivec2(gl_FragCoord.xy) + reach;
     // Of the middles of the pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
     vec4 over = vec4(-1), way_x = vec4(0), way_y = vec4(0);
     uint lined = 0u;
+    float least = 0.0;
     uvec4 cell = uvec4(0);
     for (int x = -reach - 1, y = -reach; ; cell = uvec4(cell.yzw, 0)) {  // a piece, of whichever cell has the next
         for (; cell.x == 0u && (x < reach || y < reach); cell = texelFetch(pieces, p + ivec2(x, y), 0))
@@ -208,6 +216,7 @@ void main() {
         if (cell.x == 0u) break;
         if (x * x + y * y <= 1) lined |= 1u << (2 * y + x + 2);
         vec4 ends = vec4(cell.x >> 24, cell.x >> 16 & 255u, cell.x >> 8 & 255u, cell.x & 255u) / 255.0;
+        if (x == 0 && y == 0 && cell.y == 0u && is_spike(ends)) least = 0.45;
         vec2 from = ends.xy + vec2(x, y), along = ends.zw - ends.xy;
         vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
         vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
@@ -221,5 +230,5 @@ void main() {
     vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
     larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
     vec4 shares = share_within(2.0 * over, larger, smaller) - share_within(2.0 * (over - widthPx), larger, smaller);
-    line = vec4(min(dot(shares, vec4(0.25)), is_between(lined) ? 0.45 : 1.0));
+    line = vec4(clamp(dot(shares, vec4(0.25)), least, is_between(lined) ? 0.41 : 1.0));
 }
