@@ -20,14 +20,15 @@ void main() {
 const bool notes_lines = true;  // and walks end where the surface does
 //-- judging of surface_lookup
 //-- walks of surface_lookup
+//-- between
 out highp uvec4 drawn;  // as line_word: two lines of the side to the next column, two of that to the next row
 
-const uint unknown = 0xff80u;  // a line in the middle, of no edge
+const uint unknown = no_edge | (most_place + 1u) / 2u;  // a line in the middle
 
 /// Adds those between two places; two are kept.
 void add(inout uvec2 kept, uvec4 lines, int after, int before) {
     for (int i = 0; i < 4; ++i) {
-        int place = int(lines[i] & 255u);
+        int place = int(lines[i] & most_place);
         if (lines[i] == 0u || place <= after || place >= before) continue;
         kept = kept.x == 0u ? uvec2(lines[i], 0) : kept.y == 0u ? uvec2(kept.x, lines[i]) : kept;
     }
@@ -35,8 +36,7 @@ void add(inout uvec2 kept, uvec4 lines, int after, int before) {
 
 /// Lines of a walk from its sample on, and as the other sample has them.
 uvec4 in_order(uvec4 lines) { return lines.wzyx; }
-uvec4 seen_back(uvec4 lines) { return (lines ^ 255u) * uvec4(notEqual(lines, uvec4(0))); }
-int place_of(float s) { return int(255.0 * clamp(s, 0.0, 1.0) + 0.5); }
+uvec4 seen_back(uvec4 lines) { return (lines ^ most_place) * uvec4(notEqual(lines, uvec4(0))); }
 bool is_at_line(Walk walk) { return walk.end == border || walk.end == other_line || walk.end == fork; }
 
 /// Where surfaces meet of which neither ends before the other.
@@ -45,7 +45,7 @@ uint meeting_of(Walk there, Walk back, float q_first, float q_second) {
     if (there.end != beyond || back.end != beyond) return unknown;
     float before = q_first - q_on(back, 1.0), after = q_on(there, 1.0) - q_second;
     if (max(abs(before), abs(after)) <= 1e-6 * q_first) return 0u;
-    return unknown & 0xff00u | uint(place_of(before != after ? before / (before - after) : 0.5));
+    return no_edge | place_of(before != after ? before / (before - after) : 0.5);
 }
 
 /// The first two lines between two samples.
@@ -96,10 +96,10 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
     if (is_gap) is_first = is_second = true;
     uint meeting = is_first || is_second ? 0u : meeting_of(there, back, q_at(p), q_at(p + to));
     if (!is_first && !is_second && meeting == 0u) return kept;
-    int at_meeting = int(meeting & 255u);
-    add(kept, first, -1, is_first ? 256 : is_second ? place_of(1.0 - back.left.x) : at_meeting + 1);
+    int at_meeting = int(meeting & most_place);
+    add(kept, first, -1, is_first ? 256 : is_second ? int(place_of(1.0 - back.left.x)) : at_meeting + 1);
     add(kept, uvec4(meeting, 0, 0, 0), -1, 256);
-    add(kept, second, is_second ? -1 : is_first ? place_of(there.left.x) : at_meeting - 1, 256);
+    add(kept, second, is_second ? -1 : is_first ? int(place_of(there.left.x)) : at_meeting - 1, 256);
     return kept;
 }
 
@@ -113,6 +113,7 @@ void main() {
         drawn = is_across ? uvec4(kept, 0, 0) : uvec4(drawn.xy, kept);
     }
 }
+//-- end
 //// cells
 precision highp float;
 precision highp int;
@@ -173,6 +174,8 @@ void main() {
         if (ends[i] != 0u && ends[i] != star) join(ends[i], star);
 }
 //// lines
+const bool keeps_half = true;
+//-- ink
 precision highp float;
 precision highp int;
 uniform highp usampler2D pieces;
@@ -192,14 +195,14 @@ vec4 share_within(vec4 x, vec4 larger, vec4 smaller) {
 /// Whether a pixel lies between lines of one pixel that are less than two apart, which are to stay two at half;
 /// `lined`: of those above, left, here, right and below, whether a line runs through, a bit each.
 bool is_between(uint lined) {
-    return widthPx <= 1.0 && (lined & 4u) == 0u && ((lined & 10u) == 10u || (lined & 17u) == 17u);
+    return keeps_half && widthPx <= 1.0 && (lined & 4u) == 0u && ((lined & 10u) == 10u || (lined & 17u) == 17u);
 }
 
 /// Whether the one piece of a cell goes from one side back to it, or to none: of lines of one pixel that is to stay at half.
 bool is_spike(vec4 ends) {
     bvec4 at_side = equal(fract(ends), vec4(0));
     bvec2 on_one = equal(ends.xy, ends.zw);
-    return widthPx <= 1.0 && (on_one.x && at_side.x || on_one.y && at_side.y || !(at_side.z || at_side.w));
+    return keeps_half && widthPx <= 1.0 && (on_one.x && at_side.x || on_one.y && at_side.y || !(at_side.z || at_side.w));
 }
 
 void main() {

@@ -147,10 +147,22 @@ float q_on(Walk walk, float s) {
     return mix(walk.entered.y, walk.left.y, length_px > 0.0 ? (s - walk.entered.x) / length_px : 0.0);
 }
 
-/// A line in 16 bits: a name of the edge that its corners give, 1 to 254, and its place in 1/255.
-uint line_word(uint corner, uint other, float s) {
-    uint name = 1u + (((corner + other) * 0x9e3779b1u ^ corner * other * 0x85ebca6bu) >> 16) % 254u;
-    return name << 8 | uint(255.0 * clamp(s, 0.0, 1.0) + 0.5);
+#ifdef NAMES_EDGES
+const uint most_place = 127u, no_edge = 0xffffff80u;
+#else
+const uint most_place = 255u, no_edge = 0xff00u;
+#endif
+uint place_of(float s) { return uint(float(most_place) * clamp(s, 0.0, 1.0) + 0.5); }
+
+/// A line: an edge of a face and its place in 1/127; or in 16 bits, a name of the edge that its corners give, 1 to
+/// 254, and its place in 1/255.
+uint line_word(uint edge, uvec2 corners, float s) {
+#ifdef NAMES_EDGES
+    return edge << 7 | place_of(s);
+#else
+    uint name = 1u + (((corners.x + corners.y) * 0x9e3779b1u ^ corners.x * corners.y * 0x85ebca6bu) >> 16) % 254u;
+    return name << 8 | place_of(s);
+#endif
 }
 
 /// From the face at one sample along `to`, until the face `goal`, a line or past the next sample.
@@ -183,7 +195,9 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
         int edge = int(twin & 3u);
         bool is_two = twin != nothing && twin != many;
         uint kind = rest.w >> (3 * leaves) & 7u;
-        uint noted = notes_lines ? line_word(corners[leaves], corners[(leaves + 1) % 3], walk.left.x) : 0u;
+        uint named = is_two ? min(next << 2 | uint(edge), walk.face << 2 | uint(leaves)) : walk.face << 2 | uint(leaves);
+        uvec2 ends = uvec2(corners[leaves], corners[(leaves + 1) % 3]);
+        uint noted = notes_lines ? line_word(named, ends, walk.left.x) : 0u;
         float facing_next = 0.0;
         if (is_two) {
             corners = texelFetch(faces, at(2 * int(next)), 0);

@@ -1,5 +1,5 @@
 """Models that `inkbench bake` has made, in the pages that show how (methods/outside/three, .../babylon): their lines
-are those of surface8, of surface_lookup and of chords. Without Chromium, Selenium or three.js it skips."""
+are those of surface8, of surface_lookup, chords and strokes. Without Chromium, Selenium or three.js it skips."""
 
 import functools
 import http.server
@@ -25,6 +25,7 @@ SCREEN = (640, 360, 1)  # the same: width, height, pixel ratio
 LEAST_EQUAL = 0.95  # as SwiftShader draws, see methods/outside/README.md
 LEAST_EQUAL_OF_LOOKUP = 0.998  # as Mesa draws, with tables of the pose
 LEAST_EQUAL_OF_REST = 0.99  # with those of the model at rest: the program makes its codes of the pose
+INK = ("chords", "strokes")
 MOST_APART = 4  # of 255, in the mean over pixels that have ink
 SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 MODELS = adapters.ROOT / "inkbench-out" / "models"
@@ -72,7 +73,7 @@ class PageTest(browser.BrowserTest):
                 self.link(folder, adapters.load_installer().store() / installed, name)
         for file in ("three/baked.html", "webgl/lookup.js"):
             self.link(folder, adapters.OUTSIDE / file)
-        for method in ("surface8", "surface_lookup", "chords"):
+        for method in ("surface8", "surface_lookup", "chords", "strokes"):
             self.link(folder, adapters.ROOT / "methods" / method / f"{method}.glsl")
         return folder
 
@@ -189,7 +190,7 @@ class LookupTest(PageTest):
             words = [] if time_s is None else ["--time", time_s]
             self.bake_tables(folder, *([] if has_tables_of_rest else words))
             width, height, ratio = screens[-1]
-            width_px = ["--set", f"width_px={1.5 * ratio}"] if method == "chords" else []
+            width_px = ["--set", f"width_px={1.5 * ratio}"] if method in INK else []
             self.inkbench("draw", model, "--views", "file", *words, *width_px, "--method", method, "--response",
                           "--size", f"{width * ratio}x{height * ratio}", "-o", folder / "ours.png")
             ours = numpy.asarray(Image.open(folder / "ours.png").convert("L")).astype(int)
@@ -225,13 +226,14 @@ class LookupTest(PageTest):
             self.assertGreaterEqual(equal, least, f"{what} in {engine}")
 
     def check(self, what, *view, **options):
-        """Both methods, at what `inks` takes."""
+        """The methods, at what `inks` takes."""
         self.check_lines(what, LEAST_EQUAL_OF_LOOKUP, *view, **options)
-        ours, theirs = self.inks("chords", *view, **options)
-        for engine, ink in theirs.items():
-            apart = abs(ours - ink)[(ours > 0) | (ink > 0)].mean()
-            print(f"{what} in {engine}: ink {apart:.2f} of 255 apart", flush=True)
-            self.assertLessEqual(apart, MOST_APART, f"{what} in {engine}")
+        for method in INK:
+            ours, theirs = self.inks(method, *view, **options)
+            for engine, ink in theirs.items():
+                apart = abs(ours - ink)[(ours > 0) | (ink > 0)].mean()
+                print(f"{what} in {engine}: ink of {method} {apart:.2f} of 255 apart", flush=True)
+                self.assertLessEqual(apart, MOST_APART, f"{what} in {engine}")
 
     def test_lines_are_those_of_the_methods(self):
         for scene in ("blocks", "torus", "gear"):

@@ -3,6 +3,7 @@ programs call in it. Its lines must be those of the program's methods."""
 
 import base64
 import io
+import itertools
 import json
 import sys
 import unittest
@@ -22,8 +23,8 @@ SHADERS = Path(PROGRAM).parent / "generated" / "shaders"  # whole
 SIZE = (320, 180)
 # The thresholds of the program's methods; 128 for what is not here.
 THRESHOLDS = {"roberts": 74, "decaudin": 146, "mote4": 6}
-MOST_SHADER_LINES = {"chords": 460, "surface_lookup": 300}  # 60 for what is not here
-INK = {"chords"}
+MOST_SHADER_LINES = {"strokes": 690, "chords": 480, "surface_lookup": 310}  # 60 for what is not here
+INK = {"chords", "strokes"}
 # SwiftShader snaps vertices to 1/16 px and the program to 1/256 px: so much of the lines is the same.
 LEAST_EQUAL = 0.95
 MOST_APART = 4  # of 255, in the mean over pixels with ink
@@ -121,15 +122,15 @@ class LiveTest(BrowserTest):
                 (self.page, "blocks", ["--views", "2"], "view1", [1]),
                 (self.parallel, "torus", ["--views", "iso,front"], "iso", [1, 2, 4])):
             self.open_live(page)
-            for width_px in widths:
-                words = ["--view", view, *more]
-                ours = self.drawn_by_program(scene, "chords", *words, "--set", f"width_px={width_px}")
-                theirs = self.ink_of("chords", view, width_px)
+            for method, width_px in itertools.product(INK, widths):
+                what, words = f"{method}, {scene}, {width_px} px", ["--view", view, *more]
+                ours = self.drawn_by_program(scene, method, *words, "--set", f"width_px={width_px}")
+                theirs = self.ink_of(method, view, width_px)
                 has_ink = (ours > 0) | (theirs > 0)
                 apart = numpy.abs(ours.astype(int) - theirs)[has_ink].mean()
-                self.assertLess(apart, MOST_APART, f"{scene}, {width_px} px")
+                self.assertLess(apart, MOST_APART, what)
                 scores = [soft_f(ink, scene, width_px, words) for ink in (ours, theirs)]
-                self.assertAlmostEqual(*scores, delta=0.003, msg=f"{scene}, {width_px} px")
+                self.assertAlmostEqual(*scores, delta=0.003, msg=what)
 
     def test_a_browser_without_clip_control_draws_the_same(self):
         self.open_live()

@@ -1,4 +1,4 @@
-// Draws the lines of surface_lookup or chords over what a WebGL 2 context shows, whichever engine drew that.
+// Draws the lines of surface_lookup, chords or strokes over what a WebGL 2 context shows, whichever engine drew that.
 
 const TABLE_WIDTH = 4096, TILE_PX = 4;  // texels in a row, and sides of marked squares, as the shaders have them
 
@@ -12,7 +12,7 @@ function wholeShader(method, files) {
 }
 
 export class LookupLines {
-    /// `files`: the texts of surface8.glsl, surface_lookup.glsl and chords.glsl by method. `faces`: eight words a face.
+    /// `files`: the texts of surface8.glsl, surface_lookup.glsl, chords.glsl and strokes.glsl by method. `faces`: eight words a face.
     /// Before each frame that moves them fill `points`: four floats each, the last of them 1.
     constructor(gl, method, files, faces, pointCount) {
         const [, ...parts] = wholeShader(method, files).split(/^\/\/\/\/ (\w+)\n/m);
@@ -28,8 +28,9 @@ export class LookupLines {
         this.fill(this.tables.faces, gl.RGBA_INTEGER, gl.UNSIGNED_INT, this.faces);
         this.empty = gl.createVertexArray();
         this.mesh = program('vertex', 'fragment');
-        this.isInk = method === 'chords';
-        this.steps = [['marks', program('screen', 'marks'), gl.R8UI], ['sides', program('tiles', 'sides'), this.isInk ? gl.RGBA16UI : gl.R8UI]];
+        this.isInk = method !== 'surface_lookup';
+        const linesOfSides = {surface_lookup: gl.R8UI, chords: gl.RGBA16UI, strokes: gl.RGBA32UI}[method];
+        this.steps = [['marks', program('screen', 'marks'), gl.R8UI], ['sides', program('tiles', 'sides'), linesOfSides]];
         if (this.isInk) this.steps.push(['pieces', program('tiles', 'cells'), gl.RGBA32UI]);
         this.lines = program('screen', 'lines');
         this.targets = [];
@@ -145,7 +146,7 @@ export class LookupLines {
     }
 
     /// Draws the lines over the canvas, `view` and `projection` as 16 numbers by columns, of a projection whose depth is
-    /// OpenGL's; those of chords 1 to 4 px wide. An engine's own notes of the context's state are wrong afterwards.
+    /// OpenGL's; ink 1 to 4 px wide. An engine's own notes of the context's state are wrong afterwards.
     draw(view, projection, widthPx = 1, color = [0, 0, 0]) {
         const {gl} = this;
         const {drawingBufferWidth: width, drawingBufferHeight: height} = gl;

@@ -14,6 +14,14 @@ const METHODS = {
             {section: 'sides', draws: 'sides', format: 'RGBA16UI', more: 1},
             {section: 'cells', draws: 'pieces', format: 'RGBA32UI', more: 0}],
     },
+    strokes: {
+        targets: ['R32UI', 'R32UI'],
+        hasCorners: true,
+        isInk: true,
+        steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
+            {section: 'sides', draws: 'sides', format: 'RGBA32UI', more: 1},
+            {section: 'cells', draws: 'pieces', format: 'RGBA32UI', more: 0}],
+    },
     surface_lookup: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
