@@ -51,7 +51,7 @@ void main() {
     vec4 before = vec4(q_at(first.x, p.y), q_at(first.x, p.y + 1), q_at(p.x, first.y), q_at(p.x + 1, first.y));
     vec4 after = vec4(q_at(last.x, p.y), q_at(last.x, p.y + 1), q_at(p.x, last.y), q_at(p.x + 1, last.y));
     vec4 a = q.xzxy, b = q.ywzw, j = b - a, s0 = a - before, s1 = after - b;
-    vec4 least = 16.0 / (size.y * cameraProjection[1][1]) * (cameraProjection[3][3] == 0.0 ? max(a, b) : vec4(1));
+    vec4 least = 16.0 / (size.x * cameraProjection[0][0]) * (cameraProjection[3][3] == 0.0 ? max(a, b) : vec4(1));
     vec4 over = min(max(j - max(s0, s1), min(s0, s1) - j) - least, abs(j) - 2.0 * max(abs(s0), abs(s1)));
     line = vec4(max(max(over.x, over.y), max(over.z, over.w)) > 0.0);
 }

@@ -71,7 +71,7 @@ float q_at(ivec2 p) { return uintBitsToFloat(texelFetch(depths, clamp(p, ivec2(0
 int told_of(uint a, uint b, float q_before, float q_a, float q_b, float q_after) {
     float jump = q_b - q_a, bend_a = abs(jump - (q_a - q_before)), bend_b = abs(jump - (q_after - q_b));
     // As much as a pixel is wide, a tenth of it.
-    float least = 0.2 / (size.y * projectionMatrix[1][1]) * (projectionMatrix[3][3] == 0.0 ? max(q_a, q_b) : 1.0);
+    float least = 0.2 / (size.x * projectionMatrix[0][0]) * (projectionMatrix[3][3] == 0.0 ? max(q_a, q_b) : 1.0);
     int apart = abs(int(a >> 24) - int(b >> 24));
     bool is_flagged = ((a | b) & 0x800000u) != 0u;
     if (a == b) return no_line;

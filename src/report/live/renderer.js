@@ -219,7 +219,8 @@ class Renderer {
     }
 
     /// The lines of a method as a texture, 1 in its pixels; of ink as wide as asked the share of each. `use` tells apart
-    /// what is needed at one time.
+    /// what is needed at one time. With samples at corners its rows run down (`isDown`), as those of an image: an edge
+    /// through samples then goes to the face that the program gives it to.
     drawLines(name, camera, width, height, use = '', widthPx = 1) {
         const {gl} = this;
         const {targets, reads, hasCorners, passes, isInk, steps = []} = METHODS[name];
@@ -227,7 +228,7 @@ class Renderer {
         const [w, h] = [width + 2 * margin, height + 2 * margin];
         const matrices = matricesOf(camera, width, height, this.isReversed);
         matrices.projectionMatrix[0] *= width / w;
-        matrices.projectionMatrix[5] *= height / h;
+        matrices.projectionMatrix[5] *= (hasCorners ? -height : height) / h;
         const values = {...matrices, cameraProjection: matrices.projectionMatrix, size: [w, h], widthPx};
         const more = hasCorners ? 1 : 0;
         const codes = this.target('codes', targets, w + more, h + more, true);
@@ -240,7 +241,7 @@ class Renderer {
         }
         const lines = this.target(`lines ${use}`, ['R8'], width, height, false);
         this.drawPass(name, 'lines', lines, drawn, values);
-        return lines;
+        return {...lines, isDown: Boolean(hasCorners)};
     }
 
     drawFill(camera, width, height) {
@@ -258,7 +259,7 @@ class Renderer {
         gl.enable(gl.SCISSOR_TEST);
         gl.scissor(seen.x, seen.y, seen.width, seen.height);
         this.drawScreen('screen', 'lines', {fill: fill.textures[0], mask: lines.textures[0]},
-            {...looks, origin: [part.x, part.y], size: [part.width, part.height]});
+            {...looks, isDown: Number(lines.isDown), origin: [part.x, part.y], size: [part.width, part.height]});
         gl.disable(gl.SCISSOR_TEST);
     }
 
@@ -277,14 +278,14 @@ class Renderer {
     }
 
     /// A byte a pixel from the top, of its red.
-    bytesOf({frame, width, height}, byteOf) {
+    bytesOf({frame, width, height, isDown}, byteOf) {
         const {gl} = this;
         const read = new Uint8Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, read);
         const bytes = new Uint8Array(width * height);
         for (let y = 0; y < height; ++y)
-            for (let x = 0; x < width; ++x) bytes[(height - 1 - y) * width + x] = byteOf(read[4 * (y * width + x)]);
+            for (let x = 0; x < width; ++x) bytes[(isDown ? y : height - 1 - y) * width + x] = byteOf(read[4 * (y * width + x)]);
         return bytes;
     }
 }

@@ -9,6 +9,7 @@ uniform vec2 size;    // of the part, px
 uniform int lineWidthPx;
 uniform vec3 lineColor;
 uniform int hasFill, hasLines;
+uniform int isDown;  // the rows of the mask
 out vec4 color;
 
 void main() {
@@ -21,6 +22,7 @@ void main() {
         for (int x = from; x <= to; ++x) {
             vec2 off = vec2(x, y) - 0.5 * float(from + to);
             ivec2 at = clamp(p + ivec2(x, y), ivec2(0), ivec2(size) - 1);
+            if (isDown == 1) at.y = int(size.y) - 1 - at.y;
             if (dot(off, off) <= radius * radius) ink = max(ink, texelFetch(mask, at, 0).r);
         }
     color = mix(color, vec4(lineColor, 1), ink);
