@@ -230,10 +230,17 @@ bool goes_on(Walk walk, float q_seen) { return walk.end == beyond && q_on(walk, 
 uint patch_of(uint face) { return texelFetch(faces, at(2 * int(face)), 0).w; }
 uint object_of(uint face) { return texelFetch(faces, at(2 * int(face) + 1), 0).w >> 9 & 0x3fffu; }
 
-/// Whether borders that ended two walks are both sides of a crack.
+vec3 normal_of(uint face) {
+    uvec4 corners = texelFetch(faces, at(2 * int(face)), 0);
+    vec3 p = texelFetch(points, at(int(corners.x)), 0).xyz;
+    return normalize(cross(texelFetch(points, at(int(corners.y)), 0).xyz - p, texelFetch(points, at(int(corners.z)), 0).xyz - p));
+}
+
+/// Whether two walks ended at both sides of a crack, or of an edge of many faces, flatter than a crease of 40 degrees.
 bool is_crack(Walk there, Walk back) {
-    return there.end == border && back.end == border && abs(there.left.x + back.left.x - 1.0) <= 1.0 / 64.0 &&
-        abs(there.left.y - back.left.y) <= 1e-4 * there.left.y;
+    return there.end == back.end && (there.end == border || there.end == fork) &&
+        abs(there.left.x + back.left.x - 1.0) <= 1.0 / 64.0 && abs(there.left.y - back.left.y) <= 1e-4 * there.left.y &&
+        abs(dot(normal_of(there.face), normal_of(back.face))) > 0.766;
 }
 //-- end
 out highp uint drawn;  // lines as in marks

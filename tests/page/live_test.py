@@ -272,6 +272,21 @@ class LiveTest(BrowserTest):
             apart = ((ours > 0) != (theirs > 0)).sum()  # at an edge of three faces any may be the nearest
             self.assertLess(apart, 0.05 * (ours > 0).sum(), method)
 
+    def test_an_edge_of_many_faces_that_is_flat_is_no_line(self):
+        file, page = self.folder / "boxes.obj", self.folder / "boxes.html"
+        # Two boxes that touch: above the wall between them are two faces that are flat, and the wall's two.
+        corners = [(x, y, z) for x in (0, 1, 2) for y in (0, 1) for z in (0, 1)]
+        sides = [(1, 2, 4, 3), (5, 6, 8, 7), (1, 2, 6, 5), (3, 4, 8, 7), (1, 3, 7, 5), (2, 4, 8, 6)]
+        faces = [[i + 4 * box for i in side] for box in (0, 1) for side in sides]
+        file.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "".join(f"f {' '.join(map(str, face))}\n" for face in faces))
+        eye = ["--eye", "3.1,2.7,4.3", "--target", "1,0.5,0.5"]
+        inkbench("page", file, "--size", "x".join(map(str, SIZE)), *eye, "-o", page)
+        self.open_live(page)
+        for method in ("surface_lookup", "chords"):
+            ours, theirs = self.drawn_by_program(file, method, *eye) > 0, self.drawn(method, self.script("return inkbench.views[0]"))
+            self.assertGreater(ours.sum(), 200, method)
+            self.assertLess((ours != theirs).sum(), 0.1 * ours.sum(), method)  # the edge is a quarter of the lines
+
     def test_lines_follow_a_model_that_moves(self):
         corners = [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         sides = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5]
