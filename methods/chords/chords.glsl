@@ -21,9 +21,12 @@ const bool notes_lines = true;  // and walks end where the surface does
 //-- judging of surface_lookup
 //-- walks of surface_lookup
 //-- between
-out highp uvec4 drawn;  // as line_word: two lines of the side to the next column, two of that to the next row
+out highp uvec4 drawn;  // as line_word, class << 16: two lines of the side to the next column, two of that to the next row
 
 const uint unknown = no_edge | (most_place + 1u) / 2u;  // a line in the middle
+
+/// A line as one of a class.
+uint of_class(uint line, uint kind) { return has_classes && line != 0u ? line & 0xffffu | kind << 16 : line; }
 
 /// Adds those between two places; two are kept.
 void add(inout uvec2 kept, uvec4 lines, int after, int before) {
@@ -37,15 +40,14 @@ void add(inout uvec2 kept, uvec4 lines, int after, int before) {
 /// Lines of a walk from its sample on, and as the other sample has them.
 uvec4 in_order(uvec4 lines) { return lines.wzyx; }
 uvec4 seen_back(uvec4 lines) { return (lines ^ most_place) * uvec4(notEqual(lines, uvec4(0))); }
-bool is_at_line(Walk walk) { return walk.end == border || walk.end == other_line || walk.end == fork; }
 
 /// Where surfaces meet of which neither ends before the other.
 uint meeting_of(Walk there, Walk back, float q_first, float q_second) {
     if (there.end == cut || back.end == cut) return 0u;
-    if (there.end != beyond || back.end != beyond) return unknown;
+    if (there.end != beyond || back.end != beyond) return of_class(unknown, intersection);
     float before = q_first - q_on(back, 1.0), after = q_on(there, 1.0) - q_second;
     if (max(abs(before), abs(after)) <= 1e-6 * q_first) return 0u;
-    return no_edge | place_of(before != after ? before / (before - after) : 0.5);
+    return of_class(no_edge | place_of(before != after ? before / (before - after) : 0.5), intersection);
 }
 
 /// The first two lines between two samples.
@@ -54,7 +56,7 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
     uvec2 kept = uvec2(0);
     bool is_sky = a == 0u || b == 0u;
     uint face_a = a & 0x7fffffu, face_b = b & 0x7fffffu;
-    Walk there = Walk(lost, vec2(0), 0u, vec2(0), uvec4(0), -1.0), back = there;
+    Walk there = Walk(lost, vec2(0), 0u, vec2(0), 0u, uvec4(0), -1.0), back = there;
     for (int i = 0; i < 3; ++i) {  // there, back, and there again where the other line hides this surface
         bool is_back = i == 1;
         if ((is_back ? b : a) == 0u) continue;
@@ -69,12 +71,14 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
             return kept;
         }
     }
+    if (has_classes && there.end == fork && back.end == fork)
+        there.lines.x = of_class(there.lines.x, crease), back.lines.x = of_class(back.lines.x, crease);
     uvec4 first = in_order(there.lines), second = seen_back(back.lines);
     bool has_first = is_at_line(there), has_second = is_at_line(back);
     if (is_sky) {
         int end = min(there.end, back.end);  // sky is lost
         if (end == beyond || end == cut) return kept;
-        if (!has_first && !has_second) return uvec2(unknown, 0);
+        if (!has_first && !has_second) return uvec2(of_class(unknown, contour), 0);
         add(kept, a == 0u ? second : first, -1, 256);
         return kept;
     }
@@ -82,11 +86,11 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
     bool goes_there = goes_on(there, q_at(p + to)), goes_back = goes_on(back, q_at(p));
     if (goes_there || goes_back) {
         bool is_seam = goes_there != goes_back && (goes_there ? has_second : has_first);
-        if (is_seam && object_of(face_a) != object_of(face_b)) kept.x = goes_there ? second.x : there.lines.x;
+        if (is_seam && object_of(face_a) != object_of(face_b)) kept.x = of_class(goes_there ? second.x : there.lines.x, seam);
         return kept;
     }
     if (is_crack(there, back)) {
-        if (object_of(face_a) != object_of(face_b)) kept.x = there.lines.x;
+        if (object_of(face_a) != object_of(face_b)) kept.x = of_class(there.lines.x, seam);
         return kept;
     }
     bool is_gap = has_first && has_second && there.left.x <= 1.0 - back.left.x + 1e-4;
@@ -117,17 +121,23 @@ void main() {
 //// cells
 precision highp float;
 precision highp int;
+const bool has_classes = false;
 uniform highp usampler2D sides;
-out highp uvec4 drawn;  // four pieces: from << 16 | to, an end as x << 8 | y in 1/255 of the cell
+out highp uvec4 drawn;  // four pieces: from << 16 | to, an end as x << 8 | y in 1/255 of the cell, or with classes in 2/255
 
-void join(uint a, uint b) { drawn = uvec4(a << 16 | b & 0xffffu, drawn.xyz); }
+void join(uint a, uint b) {
+    uint piece = a << 16 | b & 0xffffu;
+    if (has_classes) piece = piece & 0xfefefeffu | (a & 0x1000000u) | (a & 0x2000000u) >> 9 | (a & 0x4000000u) >> 18;
+    drawn = uvec4(max(piece, 1u), drawn.xyz);  // 0 would end the list
+}
 
-/// An end: name << 16 | x << 8 | y.
+/// An end: class << 24 | name << 16 | x << 8 | y.
 uint end_of(uint line, int side) {
     uint place = line & 255u, far = side == 1 || side == 2 ? 255u : 0u;
     return line == 0u ? 0u : line >> 8 << 16 | ((side & 1) == 0 ? place << 8 | far : far << 8 | place);
 }
 
+uint name_of(uint end) { return has_classes ? end >> 16 & 255u : end >> 16; }
 vec2 place(uint end) { return vec2(end >> 8 & 255u, end & 255u); }
 uint end_at(vec2 place) {
     uvec2 nearest = uvec2(place + 0.5);
@@ -156,7 +166,7 @@ void main() {
                            end_of(above.x, 2), end_of(above.y, 2), end_of(own.z, 3), end_of(own.w, 3));
     for (int i = 1; i < 8; ++i)  // ends of one edge
         for (int k = 0; k < i; ++k) {
-            if (ends[i] == 0u || ends[i] >> 16 != ends[k] >> 16 || ends[i] >> 16 == 255u) continue;
+            if (ends[i] == 0u || name_of(ends[i]) != name_of(ends[k]) || name_of(ends[i]) == 255u) continue;
             join(ends[k], ends[i]);
             ends[i] = ends[k] = 0u;
         }
@@ -178,6 +188,7 @@ const bool keeps_half = true;
 //-- ink
 precision highp float;
 precision highp int;
+const bool has_classes = false;
 uniform highp usampler2D pieces;
 uniform float widthPx;
 out vec4 line;
@@ -200,7 +211,7 @@ bool is_between(uint lined) {
 
 /// Whether the one piece of a cell goes from one side back to it, or to none: of lines of one pixel that is to stay at half.
 bool is_spike(vec4 ends) {
-    bvec4 at_side = equal(fract(ends), vec4(0));
+    bvec4 at_side = greaterThan(abs(ends - 0.5), vec4(0.494));
     bvec2 on_one = equal(ends.xy, ends.zw);
     return keeps_half && widthPx <= 1.0 && (on_one.x && at_side.x || on_one.y && at_side.y || !(at_side.z || at_side.w));
 }
@@ -210,8 +221,8 @@ void main() {
     ivec2 p = ivec2(gl_FragCoord.xy) + reach;
     // Of the middles of the pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
     vec4 over = vec4(-1), way_x = vec4(0), way_y = vec4(0);
-    uint lined = 0u;
-    float least = 0.0;
+    uint lined = 0u, kind = 0u;
+    float least = 0.0, nearest = -1.0;
     uvec4 cell = uvec4(0);
     for (int x = -reach - 1, y = -reach; ; cell = uvec4(cell.yzw, 0)) {  // a piece, of whichever cell has the next
         for (; cell.x == 0u && (x < reach || y < reach); cell = texelFetch(pieces, p + ivec2(x, y), 0))
@@ -225,6 +236,9 @@ void main() {
         vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
         to_x -= t * along.x, to_y -= t * along.y;
         vec4 found = 0.5 * widthPx - sqrt(to_x * to_x + to_y * to_y);
+        float most = max(max(found.x, found.y), max(found.z, found.w));
+        if (has_classes && most > nearest)
+            nearest = most, kind = cell.x >> 24 & 1u | cell.x >> 15 & 2u | cell.x >> 6 & 4u;
         bvec4 is_further = greaterThan(found, over);
         over = mix(over, found, is_further);
         way_x = mix(way_x, abs(to_x), is_further), way_y = mix(way_y, abs(to_y), is_further);
@@ -233,5 +247,6 @@ void main() {
     vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
     larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
     vec4 shares = share_within(2.0 * over, larger, smaller) - share_within(2.0 * (over - widthPx), larger, smaller);
-    line = vec4(clamp(dot(shares, vec4(0.25)), least, is_between(lined) ? 0.41 : 1.0));
+    float ink = clamp(dot(shares, vec4(0.25)), least, is_between(lined) ? 0.41 : 1.0);
+    line = has_classes ? vec4(ink, float(kind) / 255.0, 0, 0) : vec4(ink);
 }

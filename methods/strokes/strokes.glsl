@@ -86,7 +86,7 @@ bool is_seen(ivec2 p, vec2 place, float q, uint face) {
         if (q_seen == 0.0) return true;
     }
     if (has_lines || (is_own(first, face) && is_own(second, face))) return q_seen <= q * (1.0 + 2e-5);
-    float least = 0.2 / (size.y * projectionMatrix[1][1]) * (projectionMatrix[3][3] == 0.0 ? q : 1.0);
+    float least = 0.2 / (size.y * abs(projectionMatrix[1][1])) * (projectionMatrix[3][3] == 0.0 ? q : 1.0);
     return q_seen <= q - least;
 }
 
@@ -135,7 +135,7 @@ struct Line { uint edge, face; uvec2 points; };
 
 uint piece_of(vec2 from, vec2 to) {
     uvec4 ends = uvec4(255.0 * clamp(vec4(from, to), 0.0, 1.0) + 0.5);
-    return ends.x << 24 | ends.y << 16 | ends.z << 8 | ends.w;
+    return max(ends.x << 24 | ends.y << 16 | ends.z << 8 | ends.w, 1u);  // 0 would end the list
 }
 
 float across(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }

@@ -63,6 +63,7 @@ uniform mat4 projectionMatrix;
 uniform vec2 size;
 
 const int no_line = 0, sure_line = 1, doubt = 2;
+const bool has_classes = false;  // as it stands in the other passes, too
 
 uint word_at(ivec2 p) { return texelFetch(codes, p, 0).r; }
 float q_at(ivec2 p) { return uintBitsToFloat(texelFetch(depths, clamp(p, ivec2(0), ivec2(size)), 0).r); }
@@ -94,6 +95,7 @@ out highp uint drawn;  // 1: a line to the next column, 2: to the next row, 4: l
 void main() {
     ivec2 told = told_at(ivec2(gl_FragCoord.xy));
     drawn = uint(told.x & 1 | (told.y & 1) << 1 | ((told.x | told.y) & doubt) << 1);
+    if (has_classes && drawn != 0u) drawn = 4u;
 }
 //// sides
 const bool notes_lines = false;  // a walk ends at the first line
@@ -105,6 +107,7 @@ uniform mat4 modelViewMatrix;
 
 const uint nothing = 0xffffffffu, many = 0xfffffffbu;
 const int arrived = 0, border = 1, other_line = 2, beyond = 3, cut = 4, lost = 5, fork = 6;
+const uint contour = 1u, boundary = 2u, crease = 3u, intersection = 4u, seam = 5u;  // classes
 
 ivec2 at(int i) { return ivec2(i & 4095, i >> 12); }
 
@@ -137,9 +140,9 @@ vec2 crossing_of(Corner a, Corner b) {
     return h.z > 0.0 ? vec2(h.x / 256.0, h.w) / h.z : vec2(h.x > 0.0 ? 1e9 : -1e9, 0);
 }
 
-/// How a walk ended, where (as crossing_of), on which face, and where it came to that; where lines are noted, the
-/// last four, the newest first, and 1/distance at `asked`, below 0 if it did not come there.
-struct Walk { int end; vec2 left; uint face; vec2 entered; uvec4 lines; float q_asked; };
+/// How a walk ended, where (as crossing_of), on which face, and where it came to that; the class of the last line; where
+/// lines are noted, the last four, the newest first, and 1/distance at `asked`, below 0 if it did not come there.
+struct Walk { int end; vec2 left; uint face; vec2 entered; uint kind; uvec4 lines; float q_asked; };
 
 /// 1/distance of the last face at s px from the walk's sample.
 float q_on(Walk walk, float s) {
@@ -167,7 +170,7 @@ uint line_word(uint edge, uvec2 corners, float s) {
 
 /// From the face at one sample along `to`, until the face `goal`, a line or past the next sample.
 Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
-    Walk walk = Walk(lost, vec2(0), face, vec2(0), uvec4(0), -1.0);
+    Walk walk = Walk(lost, vec2(0), face, vec2(0), 0u, uvec4(0), -1.0);
     Corner c[3];
     uvec4 corners = texelFetch(faces, at(2 * int(face)), 0);
     for (int i = 0; i < 3; ++i) c[i] = corner_of(corners[i], from, to);
@@ -206,6 +209,8 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
         }
         bool is_open = is_two && facing != 0.0 && facing_next == ((twin & 0x80000000u) != 0u ? -facing : facing);
         if (!is_open || kind != 0u) {
+            walk.kind = is_open ? kind : twin == nothing ? boundary : contour;
+            if (has_classes) noted |= walk.kind << 16;
             if (notes_lines) walk.lines = uvec4(noted, walk.lines.xyz);
             if (!is_open || !notes_lines) {
                 walk.end = twin == many ? fork : twin == nothing ? border : other_line;
@@ -223,6 +228,8 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
     }
     return walk;
 }
+
+bool is_at_line(Walk walk) { return walk.end == border || walk.end == other_line || walk.end == fork; }
 
 /// Whether the surface of a walk goes on to the next sample, no farther off than what is seen there.
 bool goes_on(Walk walk, float q_seen) { return walk.end == beyond && q_on(walk, 1.0) >= q_seen * (1.0 - 1e-5); }
@@ -243,43 +250,71 @@ bool is_crack(Walk there, Walk back) {
         abs(dot(normal_of(there.face), normal_of(back.face))) > 0.766;
 }
 //-- end
-out highp uint drawn;  // lines as in marks
+out highp uint drawn;  // lines as in marks; with classes that to the next column, and times 8 that to the next row
 
-/// Whether the mesh has a line between two samples.
-bool is_found(ivec2 p, ivec2 to, uint a, uint b) {
+/// The class of the nearer of the lines that ended two walks, or of surfaces that meet.
+uint nearer_of(Walk there, Walk back) {
+    bool is_first = is_at_line(there) && (back.end != beyond || there.left.y >= q_on(back, 1.0 - there.left.x) * (1.0 - 1e-5));
+    bool is_second = is_at_line(back) && (there.end != beyond || back.left.y >= q_on(there, 1.0 - back.left.x) * (1.0 - 1e-5));
+    if (there.end == fork && back.end == fork) return crease;
+    if (is_first && is_second) return there.left.y >= back.left.y ? there.kind : back.kind;
+    return is_first ? there.kind : is_second ? back.kind : intersection;
+}
+
+/// The class of the line that the mesh has between two samples, 0 without one.
+uint found_between(ivec2 p, ivec2 to) {
+    uint a = word_at(p), b = word_at(p + to), face_a = a & 0x7fffffu, face_b = b & 0x7fffffu;
+    bool is_sky = has_classes && (a == 0u || b == 0u);
     Walk there, back;
     for (int i = 0; i < 2; ++i) {
-        back = walk(i == 0 ? p : p + to, i == 0 ? to : -to, i == 0 ? a : b, i == 0 ? b : a, 0.0);
-        if (back.end == arrived) return false;
+        if (has_classes && (i == 0 ? a : b) == 0u) continue;
+        back = walk(i == 0 ? p : p + to, i == 0 ? to : -to, i == 0 ? face_a : face_b,
+                    is_sky ? nothing : i == 0 ? face_b : face_a, 0.0);
+        if (back.end == arrived) return 0u;
         if (i == 0) there = back;
     }
-    if ((there.end >= lost || back.end >= lost) && patch_of(a) == patch_of(b)) return false;
+    if (is_sky) return is_at_line(back) ? back.kind : contour;
+    if ((there.end >= lost || back.end >= lost) && patch_of(face_a) == patch_of(face_b)) return 0u;
     // Of two objects the border of one on the other, and a crack between them, are seams.
-    bool are_two = object_of(a) != object_of(b);
+    bool are_two = object_of(face_a) != object_of(face_b);
     bool goes_there = goes_on(there, q_at(p + to)), goes_back = goes_on(back, q_at(p));
-    if (goes_there || goes_back) return are_two && min(there.end, back.end) <= other_line;
-    if (there.end == cut || back.end == cut) return min(there.end, back.end) <= other_line;
-    return are_two || !is_crack(there, back);
+    if (goes_there || goes_back) return are_two && min(there.end, back.end) <= other_line ? seam : 0u;
+    if (there.end == cut || back.end == cut) return min(there.end, back.end) <= other_line ? contour : 0u;
+    if (is_crack(there, back)) return are_two ? seam : 0u;
+    return has_classes ? nearer_of(there, back) : contour;
 }
 
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy), told = told_at(p);
     drawn = 0u;
-    // A loop over those in doubt, or each walk stands here four times.
-    for (uint todo = uint(told.x >> 1 | told.y & 2); todo != 0u; todo &= todo - 1u) {
-        ivec2 to = (todo & 1u) != 0u ? ivec2(1, 0) : ivec2(0, 1);
-        uint a = word_at(p) & 0x7fffffu, b = word_at(p + to) & 0x7fffffu;
-        if (is_found(p, to, a, b)) drawn |= uint(to.x + 2 * to.y);
+    // A loop over those in doubt, with classes over all, or each walk stands here four times.
+    ivec2 asked = has_classes ? ivec2(notEqual(told, ivec2(no_line))) : told >> 1;
+    for (uint todo = uint(asked.x | asked.y << 1); todo != 0u; todo &= todo - 1u) {
+        bool is_across = (todo & 1u) != 0u;
+        uint found = found_between(p, is_across ? ivec2(1, 0) : ivec2(0, 1));
+        if (has_classes && (is_across ? told.x : told.y) == sure_line) found = max(found, contour);
+        if (!has_classes) found = min(found, 1u);
+        drawn |= is_across ? found : has_classes ? found << 3 : found << 1;
     }
 }
 //// lines
+const bool has_classes = false;
 uniform highp usampler2D marks, sides;
 out highp vec4 line;
 
 uint lines_at(ivec2 p) { return texelFetch(marks, p, 0).r | texelFetch(sides, p, 0).r; }
 
+/// The lower number of two classes, 0 if there is none.
+uint first_of(uint a, uint b) { return a == 0u || (b != 0u && b < a) ? b : a; }
+
 void main() {
-    ivec2 p = ivec2(gl_FragCoord.xy);
-    uint lines = lines_at(p) | lines_at(p + ivec2(0, 1)) & 1u | lines_at(p + ivec2(1, 0)) & 2u;
+    ivec2 p = ivec2(gl_FragCoord.xy), x = ivec2(1, 0), y = ivec2(0, 1);
+    if (has_classes) {
+        uint own = texelFetch(sides, p, 0).r, above = texelFetch(sides, p + y, 0).r, right = texelFetch(sides, p + x, 0).r;
+        uint kind = first_of(first_of(own & 7u, own >> 3), first_of(above & 7u, right >> 3));
+        line = vec4(kind != 0u, float(kind) / 255.0, 0, 0);
+        return;
+    }
+    uint lines = lines_at(p) | lines_at(p + y) & 1u | lines_at(p + x) & 2u;
     line = vec4((lines & 3u) != 0u);
 }

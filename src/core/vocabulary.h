@@ -18,7 +18,8 @@ struct Term {
 ///
 /// A colour is there once for each paper it stands on. `picture`: Okabe and Ito, "Color Universal
 /// Design", 2008, in images that C++ draws. `figure`: in figures for papers and in the page's
-/// images, on white. `light` and `dark`: lines and text of the page's two themes.
+/// images, on white. `light` and `dark`: lines and text of the page's two themes. `over`: lines
+/// over a shaded model.
 struct Vocabulary {
     std::span<const Term> families;       ///< in the order of method::Family
     std::span<const Term> markers;        ///< in the order of method::Marker

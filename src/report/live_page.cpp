@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/escape.h"
 #include "core/provenance.h"
+#include "core/vocabulary.h"
 #include "harness/images/view_images.h"
 #include "report/packed_mesh.h"
 #include "report/page_files.h"
@@ -130,7 +131,8 @@ Json data_json(const harness::SceneViews& scene_views,
                  {"place_count", place_count},
                  {"center", point(bounds.center_world)},
                  {"radius", bounds.radius},
-                 {"views", views}};
+                 {"views", views},
+                 {"classes", Json::parse(core::vocabulary().json)["classes"]}};
     if (!times_s.empty()) {
         const scene::Sphere ball = scene::bounds_of_poses(scene_views.scene, times_s);
         data["motion"] = {{"count", times_s.size()},

@@ -20,10 +20,11 @@ except ImportError:
     skip("python3-numpy or python3-pil is not installed")
 
 SHADERS = Path(PROGRAM).parent / "generated" / "shaders"  # whole
+CLASSES = {each["name"]: each for each in json.loads((Path(__file__).parents[2] / "src/core/vocabulary.json").read_text())["classes"]}
 SIZE = (320, 180)
 # The thresholds of the program's methods; 128 for what is not here.
 THRESHOLDS = {"roberts": 74, "decaudin": 146, "mote4": 6}
-MOST_SHADER_LINES = {"strokes": 690, "chords": 480, "surface_lookup": 310}  # 60 for what is not here
+MOST_SHADER_LINES = {"strokes": 710, "chords": 500, "surface_lookup": 340}  # 60 for what is not here
 INK = {"chords", "strokes"}
 # SwiftShader snaps vertices to 1/16 px and the program to 1/256 px: so much of the lines is the same.
 LEAST_EQUAL = 0.95
@@ -196,7 +197,8 @@ class LiveTest(BrowserTest):
                     if "Lines" in control["name"]:
                         self.wait_for_ink(lambda left, right: left == right == 0, control["name"])
                     else:
-                        colour = (0, 68, 204) if control["kind"] == "color" else (0, 0, 0)
+                        colour = ((0, 68, 204) if control["kind"] == "color" else (0, 114, 178) if "Classes" in control["name"]
+                                  else (0, 0, 0))  # of contours
                         self.wait_for_lines(f"{control['name']} {choice}", colour)
                 self.open_live()
                 controls(self.browser, root)  # a new page knows none yet
@@ -271,6 +273,37 @@ class LiveTest(BrowserTest):
             self.assertGreater((ours > 0).sum(), 200, method)
             apart = ((ours > 0) != (theirs > 0)).sum()  # at an edge of three faces any may be the nearest
             self.assertLess(apart, 0.05 * (ours > 0).sum(), method)
+
+    def test_lines_have_the_colours_of_the_programs_classes(self):
+        file = self.folder / "classes.png"
+        inkbench("draw", "blocks", "--views", "2", "--view", "view0", "--method", "surface_lookup", "--layer", "classes",
+                 "--size", "x".join(map(str, SIZE)), "-o", file)
+        ours = numpy.asarray(Image.open(file).convert("RGB"))
+        own = {name: tuple(bytes.fromhex(each["picture"][1:])) for name, each in CLASSES.items()}
+        self.open_live()
+        self.script("choose({hasFill: false, size: arguments[0]}); frame.style.width = `${arguments[0][0]}px`", SIZE)
+
+        def counts(method, **choices):
+            """Pixels of each class in the page, of these those of that class in the program."""
+            self.script("choose({left: arguments[0], right: 'ids', cut: 1, ...arguments[1]})", method, choices)
+            self.settle()
+            seen, found = self.picture(), {}
+            for name, each in CLASSES.items():
+                is_class = numpy.abs(seen - [*bytes.fromhex(each["over"][1:])]).sum(axis=2) < 60
+                is_class[:45], is_class[:, -20:] = False, False  # labels, divider
+                found[name] = int(is_class.sum()), int((is_class & (ours == own[name]).all(axis=2)).sum())
+            return found
+
+        for method, width_px in (("chords", 2), ("surface_lookup", 1)):  # ink a pixel wide is seldom whole
+            found = counts(method, hasClasses=True, lineWidthPx=width_px)
+            for name in ("contour", "crease", "intersection"):
+                seen, equal = found[name]
+                self.assertGreater(seen, 40, f"{method}: {name}")
+                self.assertGreater(equal, 0.75 * seen, f"{method}: {name}")  # the pen is wider
+            self.assertEqual([found[name][0] for name in ("boundary", "seam")], [0, 0], method)
+            self.assertEqual(self.find("#exact").text.split(), ["Classes:", *CLASSES])
+            self.assertEqual(sum(seen for seen, _ in counts(method, hasClasses=False).values()), 0, method)
+        self.assertEqual(sum(seen for seen, _ in counts("surface8", hasClasses=True).values()), 0)
 
     def test_an_edge_of_many_faces_that_is_flat_is_no_line(self):
         file, page = self.folder / "boxes.obj", self.folder / "boxes.html"

@@ -95,6 +95,8 @@ function pictureControls() {
         rangeField('Line width', state.lineWidthPx, 1, 4, lineWidthPx => choose({lineWidthPx})),
         element('label', {class: 'field'}, element('span', {}, 'Colour'), element('input', {type: 'color', value: state.colour,
             'aria-label': 'Colour', oninput: event => choose({colour: event.target.value})})),
+        toggleButton('Classes', state.hasClasses, hasClasses => choose({hasClasses}), `Lines of ${METHOD_NAMES.filter(name =>
+            METHODS[name].hasClasses).join(' and ')} in the colours of their classes`),
         ...motion ? [toggleButton('Play', state.isPlaying, play)] : [],
         toggleButton('Fill', state.hasFill, hasFill => choose({hasFill})),
         toggleButton('Lines', state.hasLines, hasLines => choose({hasLines})),

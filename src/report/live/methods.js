@@ -4,14 +4,16 @@
 /// that the shader has for them; without, it reads the tables of faces and points. `hasCorners`: samples are
 /// corners of pixels. `passes`: how often the mesh is drawn, with which uniforms and faces; once, both sides,
 /// unless it says otherwise. `steps`: sections that draw for the next one before the lines: under which name it reads
-/// that, of which format it is, and how much larger than the frame. `isInk`: lines are ink of any width.
+/// that, of which format it is (`ofClasses` with classes), and how much larger than the frame. `isInk`: lines are ink of any
+/// width. `hasClasses`: it can tell the classes of its lines.
 const METHODS = {
     chords: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
         isInk: true,
+        hasClasses: true,
         steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
-            {section: 'sides', draws: 'sides', format: 'RGBA16UI', more: 1},
+            {section: 'sides', draws: 'sides', format: 'RGBA16UI', ofClasses: 'RGBA32UI', more: 1},
             {section: 'cells', draws: 'pieces', format: 'RGBA32UI', more: 0}],
     },
     strokes: {
@@ -25,6 +27,7 @@ const METHODS = {
     surface_lookup: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
+        hasClasses: true,
         steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
             {section: 'sides', draws: 'sides', format: 'R8UI', more: 1}],
     },

@@ -6,6 +6,7 @@ const FORMATS = {
     RG32UI: gl => [gl.RG32UI, gl.RG_INTEGER, gl.UNSIGNED_INT],
     RGBA16UI: gl => [gl.RGBA16UI, gl.RGBA_INTEGER, gl.UNSIGNED_SHORT],
     RGBA32UI: gl => [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
+    RG8: gl => [gl.RG8, gl.RG, gl.UNSIGNED_BYTE],
     R8: gl => [gl.R8, gl.RED, gl.UNSIGNED_BYTE],
     RGBA8: gl => [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE],
 };
@@ -99,10 +100,10 @@ class Renderer {
             ...gl.getParameter(gl.MAX_VIEWPORT_DIMS)) - 1;
     }
 
-    program(name, vertex, fragment) {
-        const key = `${name} ${vertex} ${fragment}`;
-        if (!this.programs.has(key))
-            this.programs.set(key, programOf(this.gl, SHADERS[name][vertex], SHADERS[name][fragment]));
+    program(name, vertex, fragment, hasClasses = false) {
+        const key = `${name} ${vertex} ${fragment} ${hasClasses}`;
+        const text = SHADERS[name][fragment].replace('has_classes = false', `has_classes = ${hasClasses}`);
+        if (!this.programs.has(key)) this.programs.set(key, programOf(this.gl, SHADERS[name][vertex], text));
         return this.programs.get(key);
     }
 
@@ -207,7 +208,7 @@ class Renderer {
     /// by the names of their uniforms.
     drawScreen(name, section, textures, values) {
         const {gl} = this;
-        const program = this.program(name, textures.marks ? 'tiles' : 'screen', section);
+        const program = this.program(name, textures.marks ? 'tiles' : 'screen', section, values.hasClasses);
         gl.useProgram(program.program);
         const units = this.bind(textures);
         setUniforms(gl, program, {...values, ...units});
@@ -218,28 +219,29 @@ class Renderer {
         this.bind(Object.fromEntries(Object.keys(textures).map(name => [name, null])));
     }
 
-    /// The lines of a method as a texture, 1 in its pixels; of ink as wide as asked the share of each. `use` tells apart
-    /// what is needed at one time. With samples at corners its rows run down (`isDown`), as those of an image: an edge
+    /// The lines of a method as a texture, 1 in its pixels; of ink as wide as asked the share of each. With `isClassed` the
+    /// numbers of their classes are its green, of methods that tell them. `use` tells apart what is needed at one time. With samples at corners its rows run down (`isDown`), as those of an image: an edge
     /// through samples then goes to the face that the program gives it to.
-    drawLines(name, camera, width, height, use = '', widthPx = 1) {
+    drawLines(name, camera, width, height, use = '', widthPx = 1, isClassed = false) {
         const {gl} = this;
         const {targets, reads, hasCorners, passes, isInk, steps = []} = METHODS[name];
+        const hasClasses = Boolean(isClassed && METHODS[name].hasClasses);
         const margin = isInk ? Math.ceil(widthPx / 2) : 0; // lines outside reach in
         const [w, h] = [width + 2 * margin, height + 2 * margin];
         const matrices = matricesOf(camera, width, height, this.isReversed);
         matrices.projectionMatrix[0] *= width / w;
         matrices.projectionMatrix[5] *= (hasCorners ? -height : height) / h;
-        const values = {...matrices, cameraProjection: matrices.projectionMatrix, size: [w, h], widthPx};
+        const values = {...matrices, cameraProjection: matrices.projectionMatrix, size: [w, h], widthPx, hasClasses};
         const more = hasCorners ? 1 : 0;
         const codes = this.target('codes', targets, w + more, h + more, true);
         this.drawMesh(name, reads, codes, values, passes);
         const drawn = {codes: codes.textures[0], depths: codes.textures[1] || null, ...reads ? {} : this.tables};
-        for (const {section, draws, format, more: larger} of steps) {
-            const target = this.target(draws, [format], w + larger, h + larger, false);
+        for (const {section, draws, format, ofClasses = format, more: larger} of steps) {
+            const target = this.target(draws, [hasClasses ? ofClasses : format], w + larger, h + larger, false);
             this.drawPass(name, section, target, drawn, values);
             drawn[draws] = target.textures[0];
         }
-        const lines = this.target(`lines ${use}`, ['R8'], width, height, false);
+        const lines = this.target(`lines ${use}`, [hasClasses ? 'RG8' : 'R8'], width, height, false);
         this.drawPass(name, 'lines', lines, drawn, values);
         return {...lines, isDown: Boolean(hasCorners)};
     }

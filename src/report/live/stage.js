@@ -7,7 +7,7 @@ const ASKED_SIZE = [DATA.views[0].width_px, DATA.views[0].height_px];
 /// large as the picture stands on the screen.
 const state = {
     left: 'chords', right: 'surface_lookup', layout: 'two', cut: 0.5, view: DATA.views[0].name,
-    size: null, lineWidthPx: 1, colour: '#000000',
+    size: null, lineWidthPx: 1, colour: '#000000', hasClasses: false,
     hasFill: true, hasLines: true, hasExactLines: false, theme: 'auto', times: {}, card: null, isPlaying: false, time: null,
 };
 let camera = cameraOfView(DATA.views[0]);
@@ -86,6 +86,10 @@ function placeLabels({width, height, parts}) {
     divider.setAttribute('aria-valuetext', `${state.left} left of ${Math.round(100 * state.cut)} %, ${state.right} right of it`);
 }
 
+function colourOf(name) {
+    return DATA.classes.find(each => each.name === name).over;
+}
+
 /// The view's exact lines by class, as paths; none once the camera or the model has moved.
 function exactPaths() {
     const view = state.layout === 'two' && DATA.views.find(({name}) => name === state.view);
@@ -97,12 +101,13 @@ function placeExactLines() {
     const paths = state.hasExactLines ? exactPaths() : [];
     exactLines.replaceChildren(...paths.map(([name, d]) => {
         const path = document.createElementNS(exactLines.namespaceURI, 'path');
-        path.setAttribute('class', name);
+        path.style.stroke = colourOf(name);
         path.setAttribute('d', d);
         return path;
     }));
-    document.getElementById('exact').replaceChildren(...paths.length === 0 ? [] : ['Exact lines:',
-        ...paths.flatMap(([name]) => [' ', element('span', {class: `exact ${name}`}, name)])]);
+    const names = state.hasClasses ? DATA.classes.map(({name}) => name) : paths.map(([name]) => name);
+    document.getElementById('exact').replaceChildren(...names.length === 0 ? [] : [state.hasClasses ? 'Classes:' : 'Exact lines:',
+        ...names.flatMap(name => [' ', element('span', {style: `--of-class: ${colourOf(name)}`}, name)])]);
     if (paths.length === 0) return;
     const {width_px: width, height_px: height} = DATA.views.find(({name}) => name === state.view);
     exactLines.setAttribute('viewBox', `0 0 ${width} ${height}`);
@@ -121,14 +126,15 @@ function drawPicture() {
         frame.style.setProperty('--aspect', width / height);
         shownSize = sizes;
     }
-    const looks = {lineWidthPx: state.lineWidthPx, lineColor: rgbOf(state.colour), hasFill: Number(state.hasFill),
+    const colours = [state.colour, ...DATA.classes.map(({over}) => over)];
+    const looks = {lineWidthPx: state.lineWidthPx, 'lineColors[0]': colours.flatMap(rgbOf), hasFill: Number(state.hasFill),
         hasLines: Number(state.hasLines)};
     const {width: w, height: h} = parts[0].part;
     renderer.clear();
     const fill = renderer.drawFill(camera, w, h);
     for (const {method, part, seen} of parts)
         if (seen.width > 0) {
-            const lines = renderer.drawLines(method, camera, w, h, '', state.lineWidthPx);
+            const lines = renderer.drawLines(method, camera, w, h, '', state.lineWidthPx, state.hasClasses);
             renderer.show(fill, lines, part, seen, METHODS[method].isInk ? {...looks, lineWidthPx: 1} : looks);
         }
     placeLabels(picture);
