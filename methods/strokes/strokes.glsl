@@ -86,7 +86,7 @@ bool is_seen(ivec2 p, vec2 place, float q, uint face) {
         if (q_seen == 0.0) return true;
     }
     if (has_lines || (is_own(first, face) && is_own(second, face))) return q_seen <= q * (1.0 + 2e-5);
-    float least = 0.2 / (size.y * abs(projectionMatrix[1][1])) * (projectionMatrix[3][3] == 0.0 ? q : 1.0);
+    float least = 0.2 / (size.x * projectionMatrix[0][0]) * (projectionMatrix[3][3] == 0.0 ? q : 1.0);
     return q_seen <= q - least;
 }
 
