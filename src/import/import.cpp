@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <system_error>
 #include <utility>
@@ -150,6 +151,15 @@ void check_reply(const ImportReply& reply, const ImportLimits& limits, const Com
     }
 }
 
+/// As many as it has positions, or none; (0,0) for what is no number.
+std::vector<glm::vec2> take_texcoords(ImportedMesh& mesh) {
+    std::vector<glm::vec2> taken = std::move(mesh.texcoords);
+    if (!taken.empty()) taken.resize(mesh.positions.size());
+    for (glm::vec2& uv : taken)
+        if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) uv = glm::vec2(0);
+    return taken;
+}
+
 }  // namespace
 
 ImportedModel import_model(const std::filesystem::path& path,
@@ -158,8 +168,8 @@ ImportedModel import_model(const std::filesystem::path& path,
     const Complaint complain(path);
     check_file(path, complain);
     const std::filesystem::path child = find_child(limits);
-    std::vector<std::string> arguments{path.string()};
-    if (!choice.animation.empty()) arguments.push_back(choice.animation);
+    std::vector<std::string> arguments{path.string(), choice.animation};
+    if (choice.has_texcoords) arguments.emplace_back("texcoords");
     ChildOutcome outcome = run_child(child,
                                      arguments,
                                      {.wall_s = limits.wall_s,
@@ -171,8 +181,11 @@ ImportedModel import_model(const std::filesystem::path& path,
     FilePlaces places;
     for (const ImportedInstance& instance : reply.instances)
         places.node_of_instance.push_back(instance.file_node);
-    for (const ImportedMesh& mesh : reply.meshes)
+    std::vector<std::vector<glm::vec2>> texcoords;
+    for (ImportedMesh& mesh : reply.meshes) {
         places.parts_of_mesh.push_back(mesh.parts);
+        texcoords.push_back(take_texcoords(mesh));
+    }
     std::vector<glm::vec4> colors = std::move(reply.base_colors);
     for (glm::vec4& color : colors) {
         for (int k = 0; k < 4; ++k)
@@ -180,7 +193,7 @@ ImportedModel import_model(const std::filesystem::path& path,
     }
     scene::Scene scene =
         scene_from_reply(std::move(reply), path, limits.triangles, choice.material_seams);
-    return {std::move(scene), std::move(places), std::move(colors)};
+    return {std::move(scene), std::move(places), std::move(colors), std::move(texcoords)};
 }
 
 scene::Scene import_scene(const std::filesystem::path& path,

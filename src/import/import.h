@@ -29,6 +29,7 @@ struct ModelChoice {
     /// Objects of several materials become one object for each, so that seams stand between
     /// materials, too.
     bool material_seams = false;
+    bool has_texcoords = false;  ///< OBJ's are kept, which splits vertices
     [[nodiscard]] bool operator==(const ModelChoice&) const = default;
 };
 
@@ -46,6 +47,8 @@ struct ImportedModel {
     FilePlaces places;
     /// By material number colour and opacity, 0..1, see ImportReply; glTF's own are not read.
     std::vector<glm::vec4> base_colors;
+    /// Per mesh of OBJ and PLY files, see ImportedMesh; not where objects were split by material.
+    std::vector<std::vector<glm::vec2>> texcoords{};
 };
 
 /// As `import_scene`, and where in the file its triangles stand.

@@ -1,5 +1,5 @@
-// inkbench_import FILE [ANIMATION]: reads one model and writes it to standard output as a scene
-// stream.
+// inkbench_import FILE [ANIMATION [texcoords]]: reads one model and writes it to standard output as
+// a scene stream.
 //
 // A program of its own because Assimp may crash, hang or eat memory on a damaged file; the parent
 // (import.cpp) sets the limits before it starts this one.
@@ -70,7 +70,7 @@ Reader reader_of(std::string_view head, const std::string& extension) {
 /// The model in a PLY, STL, OFF or OBJ file; nothing for other files. PLY, OFF and STL text are
 /// told by content, whatever the file is called; binary STL and OBJ by their endings, as they have
 /// no mark. A UTF-8 mark is read over, UTF-16 refused. Throws core::Error for a damaged file.
-std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path) {
+std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path, bool has_texcoords) {
     const std::string head = head_of(path);
     const Reader reader = reader_of(head, lower_case(path.extension().string()));
     if (reader == nullptr) {
@@ -88,7 +88,8 @@ std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path) {
         reply.status = ImportStatus::wrong_content;
         return reply;
     }
-    if (reader == read_obj_alone) return read_obj(without_mark(file), name, beside(path));
+    if (reader == read_obj_alone)
+        return read_obj(without_mark(file), name, beside(path), has_texcoords);
     return reader(without_mark(file), name);
 }
 
@@ -178,7 +179,7 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
     check_length(path);
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
-    if (auto reply = read_mesh_file(path)) return std::move(*reply);
+    if (auto reply = read_mesh_file(path, choice.has_texcoords)) return std::move(*reply);
     if (lower_case(path.extension().string()) == ".3mf") return read_3mf(path);
     if (auto reply = read_fbx(path, choice)) return std::move(*reply);
     if (!is_dae(path)) refuse_by_ending(path, head_of(path));
@@ -211,9 +212,9 @@ ImportReply read_model(const std::filesystem::path& path, const ImportChoice& ch
 
 int main(int argc, char** argv) {
     using namespace ink::import;
-    if (argc != 2 && argc != 3) {
+    if (argc < 2 || argc > 4) {
         std::fputs(
-            "usage: inkbench_import FILE [ANIMATION] > STREAM\n"
+            "usage: inkbench_import FILE [ANIMATION [texcoords]] > STREAM\n"
             "inkbench starts it; see --help there.\n",
             stderr);
         return kUsage;
@@ -222,6 +223,7 @@ int main(int argc, char** argv) {
 #ifdef INK_IMPORT_FAULTS
     provoke_fault(argv[1], output.fd);
 #endif
-    write_reply(read_model(argv[1], {.animation = argc == 3 ? argv[2] : ""}), write_all);
+    const ImportChoice choice{.animation = argc > 2 ? argv[2] : "", .has_texcoords = argc > 3};
+    write_reply(read_model(argv[1], choice), write_all);
     return kSuccess;
 }

@@ -57,18 +57,19 @@ static_assert(sizeof(scene::VectorKey) == 32 && sizeof(scene::RotationKey) == 40
               "arrays travel as they lie in memory, without gaps");
 
 constexpr std::array<char, 8> kMagic{'i', 'n', 'k', 's', 'c', 'e', 'n', 'e'};
-constexpr std::uint32_t kVersion = 6;
+constexpr std::uint32_t kVersion = 7;
 constexpr std::uint32_t kEndMark = 0x656e6421;
 
-static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16 && sizeof(glm::dvec3) == 24 &&
-                  sizeof(scene::Triangle) == 12 && sizeof(MeshPart) == 16,
+static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16 &&
+                  sizeof(glm::dvec3) == 24 && sizeof(scene::Triangle) == 12 &&
+                  sizeof(MeshPart) == 16,
               "arrays travel as they lie in memory");
 
 /// All between the status and whether there is an animation.
 template <class Stream, class Reply>
 void pass_scene(Stream& of, Reply& reply) {
     // The least that each kind takes in the stream, so that a claimed count can be judged.
-    constexpr std::size_t kLeastMeshBytes = 49;
+    constexpr std::size_t kLeastMeshBytes = 57;
     constexpr std::size_t kLeastInstanceBytes = 144;
     constexpr std::size_t kLeastCameraBytes = 176;
     constexpr std::size_t kLeastLightBytes = 93;
@@ -77,7 +78,7 @@ void pass_scene(Stream& of, Reply& reply) {
     of.parts(reply.reason);
     of.list(reply.meshes, kLeastMeshBytes, [](auto& stream, auto& mesh) {
         stream.parts(mesh.name, mesh.positions, mesh.normals, mesh.triangles, mesh.parts);
-        stream.parts(mesh.marked_sides, mesh.are_floats);
+        stream.parts(mesh.marked_sides, mesh.are_floats, mesh.texcoords);
     });
     of.list(reply.instances, kLeastInstanceBytes, [](auto& stream, auto& instance) {
         stream.parts(instance.mesh, instance.world_from_object, instance.name, instance.file_node);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -41,6 +42,8 @@ struct ImportedMesh {
     std::vector<glm::dvec3> positions;  ///< object space, no digit of the file lost
     /// One per position, of any length (a vertex without one has (0,0,0)); or empty.
     std::vector<glm::vec3> normals;
+    /// 1 - v of the file, as glTF has v; one per position, (0,0) where there is none; or empty.
+    std::vector<glm::vec2> texcoords;
     std::vector<scene::Triangle> triangles;
     std::vector<std::uint8_t> marked_sides;  ///< as scene::Mesh has them
     std::vector<MeshPart> parts;  ///< by first_triangle, the first at 0; empty: one of material 0
@@ -99,6 +102,7 @@ struct ImportChoice {
     /// Which animation moves the scene: a name that the file has, else a number from 0; empty: the
     /// first.
     std::string animation;
+    bool has_texcoords = false;  ///< see ModelChoice
 };
 
 /// What the import child hands back. Nothing in it is checked: whoever reads it must not trust it.

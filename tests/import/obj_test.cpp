@@ -85,6 +85,22 @@ TEST(Obj, AVertexIsAPairOfPositionAndNormal) {
                             glm::vec3(0, 1, 0)));
 }
 
+ImportReply read_obj_with_texcoords(std::string_view file, const std::string& name) {
+    return read_obj(file, name, {}, true);
+}
+
+TEST(Obj, TextureCoordinatesPartVerticesWhereTheyAreAskedFor) {
+    const std::string file = kThree + "v 1 1 0\nvt 0.25 0.75\nvt 1\nf 1/1 2/1 3/1\nf 2/1 4 3/-1\n";
+    EXPECT_EQ(read_one(read_obj, file).positions.size(), 4U);
+    EXPECT_TRUE(read_one(read_obj, file).texcoords.empty());
+    const ImportedMesh mesh = read_one(read_obj_with_texcoords, file);
+    EXPECT_THAT(mesh.triangles, ElementsAre(scene::Triangle{0, 1, 2}, scene::Triangle{1, 3, 4}));
+    EXPECT_EQ(mesh.positions[2], mesh.positions[4]);
+    const glm::vec2 first(0.25, 0.25);  // v of glTF goes down
+    EXPECT_THAT(mesh.texcoords, ElementsAre(first, first, first, glm::vec2(0), glm::vec2(1)));
+    EXPECT_TRUE(read_one(read_obj_with_texcoords, cube()).texcoords.empty());
+}
+
 TEST(Obj, ObjectsAreMadeByOAlone) {
     const ImportReply reply = read_obj(kThree +
                                            "g ground\nf 1 2 3\no first one\nusemtl a\nf 1 2 3\n"
@@ -193,6 +209,12 @@ TEST(Obj, FaultsAreNamedWithTheirLine) {
     EXPECT_THAT(complaint("\nv 0 one 0\n"), HasSubstr("line 5: a vertex's coordinate is \"one\""));
     EXPECT_THAT(complaint("v 0 \\\n 0\n"), HasSubstr("line 5: a vertex's coordinate is missing"));
     EXPECT_THAT(complaint("vn 0 1\n"), HasSubstr("line 4: a normal's coordinate is missing"));
+    const std::string faces = kThree + "vt 0 0\nf 1/1 2/1 3/2\n";
+    EXPECT_EQ(read_one(read_obj, faces).triangles.size(), 1U) << "not asked for";
+    EXPECT_THAT(fault(read_obj_with_texcoords, faces),
+                HasSubstr("line 5: a corner has the texture coordinate 2 (1..1)"));
+    EXPECT_THAT(fault(read_obj_with_texcoords, kThree + "vt 0 x\n"),
+                HasSubstr("line 4: a texture coordinate is \"x\""));
 }
 
 }  // namespace

@@ -195,6 +195,20 @@ TEST(Ply, KeepsNormals) {
                 ElementsAre(glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)));
 }
 
+TEST(Ply, KeepsTextureCoordinatesByAllNames) {
+    for (const auto& [u, v] : {std::pair("s", "t"), {"u", "v"}, {"texture_u", "texture_v"}}) {
+        const std::string properties =
+            kXyz + "property float " + u + "\nproperty float " + v + '\n';
+        const ImportedMesh mesh = read_one(
+            read_ply,
+            header("ascii", "element vertex 3\n" + properties + "element face 1\n" + kFaces) +
+                "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0.5 0.75\n3 0 1 2\n");
+        EXPECT_THAT(mesh.texcoords,
+                    ElementsAre(glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(0.5, 0.25)))
+            << u;
+    }
+}
+
 TEST(Ply, WhatHasNoAreaIsLeftOutWithANote) {
     const ImportReply reply =
         read_ply(header("ascii",

@@ -19,6 +19,7 @@ ImportReply sample_reply() {
     mesh.name = "mesh";
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    mesh.texcoords = {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}};
     mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
     mesh.marked_sides = {0b101, 0};
     mesh.parts = {{0, 5, 1, 0}, {1, 6, 2, 1}};
@@ -77,6 +78,7 @@ TEST(SceneStream, WhatWasReadIsWrittenAsItWas) {
     EXPECT_EQ(reply->status, ImportStatus::scene);
     EXPECT_EQ(stream_of(*reply), whole);
     EXPECT_EQ(reply->meshes.at(0).positions, sample_reply().meshes[0].positions);
+    EXPECT_EQ(reply->meshes[0].texcoords, sample_reply().meshes[0].texcoords);
     EXPECT_EQ(reply->meshes[0].marked_sides, sample_reply().meshes[0].marked_sides);
     EXPECT_EQ(reply->meshes[0].parts.at(1).primitive, 2U);
     EXPECT_EQ(reply->instances.at(0).file_node, 7U);

@@ -13,7 +13,8 @@
 namespace ink::import {
 
 /// PLY 1.0: text or binary of both byte orders; faces of any number of corners and triangle strips;
-/// vertex normals; elements and properties in any order. Others are read over.
+/// normals and texture coordinates of vertices; elements and properties in any order. Others are
+/// read over.
 [[nodiscard]] ImportReply read_ply(std::string_view file, const std::string& name);
 
 /// STL: text or binary, told by content. All solids of a file are one object, called as its only
@@ -39,9 +40,10 @@ namespace ink::import {
 using FilesBeside = std::function<std::string(const std::string&)>;
 
 /// With the material libraries in files beside it, of which transparency is noted; one that is
-/// missing is no fault.
+/// missing is no fault. With `has_texcoords` corners are the same vertex only where that is, too.
 [[nodiscard]] ImportReply read_obj(std::string_view file,
                                    const std::string& name,
-                                   const FilesBeside& beside);
+                                   const FilesBeside& beside,
+                                   bool has_texcoords = false);
 
 }  // namespace ink::import

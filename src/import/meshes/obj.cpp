@@ -106,14 +106,22 @@ struct LeftOut {
 
 class ObjReader {
   public:
-    ObjReader(std::string_view file, const std::string& name, const FilesBeside& beside)
-        : words_(file, kObjRules), beside_(&beside), file_name_(name), object_(name) {}
+    ObjReader(std::string_view file,
+              const std::string& name,
+              const FilesBeside& beside,
+              bool has_texcoords)
+        : words_(file, kObjRules),
+          beside_(&beside),
+          file_name_(name),
+          has_texcoords_(has_texcoords),
+          object_(name) {}
 
     ImportReply read();
 
   private:
     void read_line();
     void read_face();
+    void read_texcoord();
     ObjCorner read_corner(std::string_view word);
     std::uint32_t read_index(std::string_view word, std::size_t count, Ahead& ahead);
     void begin_run();
@@ -123,6 +131,7 @@ class ObjReader {
     LineWords words_;
     const FilesBeside* beside_;
     std::string file_name_;
+    bool has_texcoords_;
     std::string object_;    ///< the current one's name
     std::string material_;  ///< likewise
     bool is_new_run_ = true;
@@ -132,6 +141,7 @@ class ObjReader {
     ObjContent content_;
     Ahead ahead_position_;
     Ahead ahead_normal_;
+    Ahead ahead_texcoord_;
     LeftOut left_out_;
 };
 
@@ -158,9 +168,12 @@ ObjCorner ObjReader::read_corner(std::string_view word) {
     ObjCorner corner;
     corner.position = read_index(word.substr(0, first), content_.positions.size(), ahead_position_);
     if (first == word.size()) return corner;
-    const std::size_t second = word.find('/', first + 1);
-    if (second == word.npos || second + 1 == word.size()) return corner;
-    corner.normal = read_index(word.substr(second + 1), content_.normals.size(), ahead_normal_);
+    const std::size_t second = std::min(word.find('/', first + 1), word.size());
+    const std::string_view texcoord = word.substr(first + 1, second - first - 1);
+    if (has_texcoords_ && !texcoord.empty())
+        corner.texcoord = read_index(texcoord, content_.texcoords.size(), ahead_texcoord_);
+    if (second + 1 < word.size())
+        corner.normal = read_index(word.substr(second + 1), content_.normals.size(), ahead_normal_);
     return corner;
 }
 
@@ -183,6 +196,13 @@ void ObjReader::read_face() {
     content_.ends.push_back(content_.corners.size());
 }
 
+/// Without a second number that is 0.
+void ObjReader::read_texcoord() {
+    constexpr const char* kWhat = "a texture coordinate";
+    const double u = words_.number(kWhat);
+    content_.texcoords.emplace_back(u, words_.is_line_over() ? 1 : 1 - words_.number(kWhat));
+}
+
 void ObjReader::read_line() {
     const std::string_view keyword = words_.word();
     if (keyword == "v") {
@@ -192,6 +212,8 @@ void ObjReader::read_line() {
         read_face();
     } else if (keyword == "vn") {
         content_.normals.emplace_back(words_.vector("a normal's coordinate"));
+    } else if (keyword == "vt" && has_texcoords_) {
+        read_texcoord();
     } else if (keyword == "o") {
         object_ = words_.rest();
         if (object_.empty()) object_ = file_name_;
@@ -258,6 +280,7 @@ ImportReply ObjReader::read() {
         read_line();
     check_ahead(ahead_position_, content_.positions.size(), "vertex");
     check_ahead(ahead_normal_, content_.normals.size(), "normal");
+    check_ahead(ahead_texcoord_, content_.texcoords.size(), "texture coordinate");
     content_.objects = objects_.names();
     ImportReply reply;
     reply.meshes = meshes_of(content_);
@@ -276,8 +299,11 @@ ImportReply read_obj(std::string_view file, const std::string& name) {
     return read_obj(file, name, {});
 }
 
-ImportReply read_obj(std::string_view file, const std::string& name, const FilesBeside& beside) {
-    return ObjReader(file, name, beside).read();
+ImportReply read_obj(std::string_view file,
+                     const std::string& name,
+                     const FilesBeside& beside,
+                     bool has_texcoords) {
+    return ObjReader(file, name, beside, has_texcoords).read();
 }
 
 }  // namespace ink::import

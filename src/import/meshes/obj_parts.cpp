@@ -7,9 +7,18 @@
 namespace ink::import {
 namespace {
 
-constexpr std::uint32_t kNone = ~0U;
+/// Gives a vertex what it has of a kind that others may lack.
+template <class T>
+void put(std::uint32_t vertex,
+         std::uint32_t index,
+         const std::vector<T>& from,
+         std::vector<T>& to) {
+    if (index == kNone) return;
+    to.resize(vertex, T(0));
+    to.push_back(from[index]);
+}
 
-/// Gives the pairs of position and normal of one object their numbers.
+/// Gives the different corners of one object their numbers.
 class Vertices {
   public:
     explicit Vertices(const ObjContent& content)
@@ -26,21 +35,21 @@ class Vertices {
     std::uint32_t number_of(const ObjCorner& corner) {
         std::uint32_t* link = &first_[corner.position];
         for (; *link != kNone; link = &entries_[*link].next)
-            if (entries_[*link].corner.normal == corner.normal) return *link;
+            if (entries_[*link].corner == corner) return *link;
         const auto number = static_cast<std::uint32_t>(entries_.size());
         *link = number;
         entries_.push_back({corner, kNone});
         mesh_->positions.push_back(content_->positions[corner.position]);
-        if (corner.normal != kNoNormal) {
-            mesh_->normals.resize(number, glm::vec3(0));
-            mesh_->normals.push_back(content_->normals[corner.normal]);
-        }
+        put(number, corner.normal, content_->normals, mesh_->normals);
+        put(number, corner.texcoord, content_->texcoords, mesh_->texcoords);
         return number;
     }
 
-    /// Normals are all there or none are.
+    /// Of a kind all are there or none are.
     void finish() {
-        if (!mesh_->normals.empty()) mesh_->normals.resize(mesh_->positions.size(), glm::vec3(0));
+        const std::size_t count = mesh_->positions.size();
+        if (!mesh_->normals.empty()) mesh_->normals.resize(count, glm::vec3(0));
+        if (!mesh_->texcoords.empty()) mesh_->texcoords.resize(count, glm::vec2(0));
     }
 
   private:

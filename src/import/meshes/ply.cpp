@@ -44,10 +44,11 @@ struct PlyMesh {
 };
 
 /// The numbers of the properties called `names`; nothing unless all are there.
-std::optional<std::array<std::size_t, 3>> find_all(const PlyElement& element,
-                                                   const std::array<std::string_view, 3>& names) {
-    std::array<std::size_t, 3> found{};
-    for (std::size_t i = 0; i < 3; ++i) {
+template <std::size_t N>
+std::optional<std::array<std::size_t, N>> find_all(const PlyElement& element,
+                                                   const std::array<std::string_view, N>& names) {
+    std::array<std::size_t, N> found{};
+    for (std::size_t i = 0; i < N; ++i) {
         const auto property = element.find(names[i]);
         if (!property || element.properties[*property].count_type) return std::nullopt;
         found[i] = *property;
@@ -55,20 +56,30 @@ std::optional<std::array<std::size_t, 3>> find_all(const PlyElement& element,
     return found;
 }
 
+/// Where texture coordinates are, by the names that programs give them.
+std::optional<std::array<std::size_t, 2>> find_texcoords(const PlyElement& element) {
+    auto found = find_all<2>(element, {"s", "t"});
+    if (!found) found = find_all<2>(element, {"u", "v"});
+    return found ? found : find_all<2>(element, {"texture_u", "texture_v"});
+}
+
 void read_vertices(PlyBody& body, const PlyElement& element, ImportedMesh& mesh) {
-    const auto places = find_all(element, {"x", "y", "z"});
+    const auto places = find_all<3>(element, {"x", "y", "z"});
     if (!places)
         LineWords::fail_at(element.line, "vertices lack x, y or z", "a number for each of them");
-    const auto normals = find_all(element, {"nx", "ny", "nz"});
+    const auto normals = find_all<3>(element, {"nx", "ny", "nz"});
+    const auto texcoords = find_texcoords(element);
     bool is_float = !body.is_text();
     // Where each property's number goes; what is not wanted goes to the last place.
-    std::array<double, 7> row{};
-    std::vector<std::size_t> place_of(element.properties.size(), 6);
+    std::array<double, 9> row{};
+    std::vector<std::size_t> place_of(element.properties.size(), 8);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         place_of[(*places)[axis]] = axis;
         if (normals) place_of[(*normals)[axis]] = 3 + axis;
         is_float = is_float && element.properties[(*places)[axis]].type == PlyType::float32;
     }
+    for (std::size_t i = 0; texcoords && i < 2; ++i)
+        place_of[(*texcoords)[i]] = 6 + i;
     mesh.are_floats = is_float;
     mesh.positions.reserve(body.most_rows(element));
     if (normals) mesh.normals.reserve(body.most_rows(element));
@@ -80,6 +91,7 @@ void read_vertices(PlyBody& body, const PlyElement& element, ImportedMesh& mesh)
         [&] {
             mesh.positions.emplace_back(row[0], row[1], row[2]);
             if (normals) mesh.normals.emplace_back(row[3], row[4], row[5]);
+            if (texcoords) mesh.texcoords.emplace_back(row[6], 1 - row[7]);
         });
 }
 
