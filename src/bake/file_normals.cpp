@@ -11,7 +11,7 @@
 namespace ink::bake {
 namespace {
 
-void add_normals_to(scene::Mesh& mesh, double crease_rad) {
+void add_normals_to(scene::Mesh& mesh, double crease_rad, std::vector<glm::vec2>& texcoords) {
     scene::Scene alone;
     alone.meshes = {mesh};
     alone.instances.resize(1);
@@ -24,18 +24,25 @@ void add_normals_to(scene::Mesh& mesh, double crease_rad) {
             corner = known.insert({corner, surface.triangles[t][i]}).first;
         }
     std::vector<glm::vec3> positions;
+    const std::vector<glm::vec2> before = std::exchange(texcoords, {});
     for (const auto& [vertex, of_surface] : known.keys()) {
         positions.push_back(mesh.positions[vertex]);
         mesh.normals.push_back(surface.n_world[of_surface]);
+        if (!before.empty()) texcoords.push_back(before[vertex]);
     }
     mesh.positions = std::move(positions);
 }
 
 }  // namespace
 
-void add_normals(scene::Scene& scene, double crease_deg) {
-    for (scene::Mesh& mesh : scene.meshes)
-        if (mesh.normals.empty()) add_normals_to(mesh, glm::radians(crease_deg));
+void add_normals(scene::Scene& scene,
+                 double crease_deg,
+                 std::span<std::vector<glm::vec2>> texcoords) {
+    std::vector<glm::vec2> none;
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+        if (scene.meshes[m].normals.empty())
+            add_normals_to(
+                scene.meshes[m], glm::radians(crease_deg), texcoords.empty() ? none : texcoords[m]);
 }
 
 }  // namespace ink::bake

@@ -96,12 +96,17 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> indices_by_material(const sc
 }
 
 Json mesh_json(const scene::Mesh& mesh,
+               std::span<const glm::vec2> texcoords,
                const std::map<std::uint32_t, int>& materials,
                GlbBuffer& buffer) {
     Json attributes = {{"POSITION", buffer.add_positions(mesh.positions)}};
     if (!mesh.normals.empty()) {
         attributes["NORMAL"] =
             buffer.add(std::span(mesh.normals), "VEC3", GlbBuffer::kFloat, GlbBuffer::kVertices);
+    }
+    if (!texcoords.empty()) {
+        attributes["TEXCOORD_0"] =
+            buffer.add(texcoords, "VEC2", GlbBuffer::kFloat, GlbBuffer::kVertices);
     }
     Json primitives = Json::array();
     for (const auto& [material, indices] : indices_by_material(mesh)) {
@@ -195,7 +200,8 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path) {
 void write_glb(const scene::Scene& scene,
                std::span<const scene::View> views,
                const std::filesystem::path& path,
-               std::span<const glm::vec4> base_colors) {
+               std::span<const glm::vec4> base_colors,
+               std::span<const std::vector<glm::vec2>> texcoords) {
     GlbBuffer buffer;
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "inkbench"}}}, {"scene", 0}};
     const auto places = material_places(scene);
@@ -210,8 +216,10 @@ void write_glb(const scene::Scene& scene,
         set_color(has_color ? base_colors[number] : glm::vec4(1), materials.back());
     }
     Json meshes = Json::array();
-    for (const scene::Mesh& mesh : scene.meshes)
-        meshes.push_back(mesh_json(mesh, places, buffer));
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const auto own = texcoords.empty() ? std::span<const glm::vec2>() : texcoords[m];
+        meshes.push_back(mesh_json(scene.meshes[m], own, places, buffer));
+    }
     Json nodes = Json::array();
     Json roots = Json::array();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <span>
 
 #include "scene/scene.h"
@@ -17,10 +18,12 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path);
 /// a node per instance with its matrix and `extras.object`, materials with `extras.material`.
 /// Positions are the same floats; normals where the file had them. A camera per view, called by its
 /// name. `base_colors` are colours and opacities by material number, 0..1; the rest are white.
-/// Throws core::Error if it cannot be written, or needs more than the 4 GiB that the format holds.
+/// `texcoords` are TEXCOORD_0 of each mesh as glTF has them, one per position or none. Throws
+/// core::Error if it cannot be written, or needs more than the 4 GiB that the format holds.
 void write_glb(const scene::Scene& scene,
                std::span<const scene::View> views,
                const std::filesystem::path& path,
-               std::span<const glm::vec4> base_colors = {});
+               std::span<const glm::vec4> base_colors = {},
+               std::span<const std::vector<glm::vec2>> texcoords = {});
 
 }  // namespace ink::entrants

@@ -40,6 +40,19 @@ TEST(FileNormals, ACreasePartsThemAndTrianglesStay) {
     }
 }
 
+TEST(FileNormals, ACopyHasItsVertexsTextureCoordinates) {
+    scene::Scene scene = bare(catalogue::make_box({0, 0, 0}, {1, 2, 3}));
+    std::vector<std::vector<glm::vec2>> texcoords(1);
+    for (const glm::vec3& p : scene.meshes[0].positions)
+        texcoords[0].emplace_back(p.x + 10 * p.y, p.z);
+    add_normals(scene, 40, texcoords);
+    ASSERT_EQ(texcoords[0].size(), 24U);
+    for (std::size_t v = 0; v < 24; ++v) {
+        const glm::vec3& p = scene.meshes[0].positions[v];
+        EXPECT_EQ(texcoords[0][v], glm::vec2(p.x + 10 * p.y, p.z));
+    }
+}
+
 TEST(FileNormals, ARoundBodyIsSmoothAndANormalOfTheFileStays) {
     scene::Scene scene = bare(catalogue::make_icosphere(1, 2));
     const std::size_t count = scene.meshes[0].positions.size();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -65,11 +66,14 @@ bake::BakedFile bake_other(import::ImportedModel model,
                            const fs::path& out) {
     const core::ScratchFolder scratch("bake");
     const fs::path file = scratch.path() / "model.glb";
-    bake::add_normals(model.scene, options.crease_deg);
-    entrants::write_glb(model.scene, {}, file, model.base_colors);
+    bake::add_normals(model.scene, options.crease_deg, model.texcoords);
+    entrants::write_glb(model.scene, {}, file, model.base_colors, model.texcoords);
     bake::BakedFile baked = bake::bake(file, import::import_model(file), options, out);
+    const bool has_texcoords =
+        std::ranges::any_of(model.texcoords, [](auto& of_mesh) { return !of_mesh.empty(); });
     baked.lines.insert(baked.lines.begin(),
-                       "it became glTF: geometry, normals, names and base colours");
+                       fmt::format("it became glTF: geometry, normals, {}names and base colours",
+                                   has_texcoords ? "texture coordinates, " : ""));
     return baked;
 }
 
@@ -121,8 +125,8 @@ void run_bake(const BakeArgs& args) {
     check_output_path(args.out, {".glb", ".gltf"});
     const core::InterruptGuard guard("nothing is written");
     const bool has_all = args.animation == kAllAnimations;
-    import::ImportedModel model =
-        import::import_model(args.model, {.animation = has_all ? "" : args.animation});
+    import::ImportedModel model = import::import_model(
+        args.model, {.animation = has_all ? "" : args.animation, .has_texcoords = true});
     const bool has_steps = options.codes == methods::BakedMethod::surface8;
     if (options.repair && !has_steps)
         throw core::Error("--repair", "these are no codes that can be repaired", "surface8");
