@@ -94,15 +94,16 @@ template <class T>
 void read_pixels(OpenFile& file, const PictureChannels& channels, bool is_light, Picture& picture) {
     std::vector<int> used(channels.colour.begin(), channels.colour.end());
     if (channels.alpha >= 0) used.push_back(channels.alpha);
-    const auto [least, most] = std::minmax_element(used.begin(), used.end());
-    const auto stride = static_cast<std::size_t>(*most + 1 - *least);
-    const std::vector<T> samples = read_samples<T>(file, *least, *most + 1);
+    const int least = *std::min_element(used.begin(), used.end());
+    const int end = *std::max_element(used.begin(), used.end()) + 1;
+    const auto stride = static_cast<std::size_t>(end - least);
+    const std::vector<T> samples = read_samples<T>(file, least, end);
     for (std::size_t i = 0; i < picture.colour.size(); ++i) {
         const int x = static_cast<int>(i) % file.width_px;
         const int y = static_cast<int>(i) / file.width_px;
         const auto at = [&](int channel) {
             const float value =
-                to_share(samples[i * stride + static_cast<std::size_t>(channel - *least)]);
+                to_share(samples[i * stride + static_cast<std::size_t>(channel - least)]);
             if (!std::isfinite(value)) refuse_number(file, channel, value, {x, y});
             return value;
         };
