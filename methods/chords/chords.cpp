@@ -17,6 +17,9 @@ struct ChordEnd {
     std::uint32_t edge = 0;  ///< bits of which edge it is, so that ends of one are joined
     std::uint8_t place = 0;  ///< from the first sample to the second
     std::uint8_t width = 0;  ///< of the widest
+
+    ChordEnd(std::uint32_t of_edge, std::uint8_t at, std::uint8_t share)
+        : edge(of_edge), place(at), width(share) {}
 };
 
 struct ChordParams : InkParams {

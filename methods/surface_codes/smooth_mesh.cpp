@@ -190,8 +190,10 @@ std::vector<FacePair> touching_boundaries(const scene::Topology& topology,
         Boundaries(topology, edges, options).add_touching(pairs);
     const auto faces = [](const FacePair& pair) { return std::tie(pair.face0, pair.face1); };
     std::ranges::sort(pairs, {}, faces);
-    const auto again = std::ranges::unique(pairs, {}, faces);
-    pairs.erase(again.begin(), again.end());
+    const auto are_same = [&](const FacePair& a, const FacePair& b) {
+        return faces(a) == faces(b);
+    };
+    pairs.erase(std::unique(pairs.begin(), pairs.end(), are_same), pairs.end());
     return pairs;
 }
 

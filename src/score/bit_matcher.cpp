@@ -154,7 +154,8 @@ void BitMatcher::replace(Side& side, Side& other) {
 }
 
 void BitMatcher::replace_word(Side& side, Side& other, const Word& word) {
-    const auto [at, bits] = word;
+    const std::size_t at = word.at;
+    const Bits bits = word.bits;
     const Bits before = side.set[at];
     if (before == bits) return;
     visit_bits(before & ~bits & ~side.free[at], [&](int bit) {

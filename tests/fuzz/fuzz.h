@@ -120,5 +120,6 @@ void check_scene_cameras(Bytes bytes);
 void check_scene_stream(Bytes bytes);
 void check_score(Bytes bytes);
 void check_stl(Bytes bytes);
+void check_three_mf(Bytes bytes);
 
 }  // namespace ink::fuzz
