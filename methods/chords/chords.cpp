@@ -196,8 +196,7 @@ class Chords : public InkMethod {
     std::array<double, 256> places_;    ///< of a byte
     std::array<float, 256> halves_px_;  ///< likewise
     LinedSides<ChordEnd> sides_;
-    std::vector<std::vector<glm::ivec2>>
-        spikes_;  ///< cells crossed twice, and on one side, by tile
+    std::vector<std::vector<glm::ivec2>> spikes_;  ///< by tile, cells crossed on one side alone
 };
 
 }  // namespace
