@@ -25,9 +25,6 @@ out highp uvec4 drawn;  // as line_word, class << 16: two lines of the side to t
 
 const uint unknown = no_edge | (most_place + 1u) / 2u;  // a line in the middle
 
-/// A line as one of a class.
-uint of_class(uint line, uint kind) { return has_classes && line != 0u ? line & 0xffffu | kind << 16 : line; }
-
 /// Adds those between two places; two are kept.
 void add(inout uvec2 kept, uvec4 lines, int after, int before) {
     for (int i = 0; i < 4; ++i) {
@@ -125,9 +122,14 @@ const bool has_classes = false;
 uniform highp usampler2D sides;
 out highp uvec4 drawn;  // four pieces: from << 16 | to, an end as x << 8 | y in 1/255 of the cell, or with classes in 2/255
 
+//-- kinds
+/// A piece as one of a class.
+uint of_kind(uint piece, uint kind) {
+    return has_classes ? piece & 0xfefefeffu | (kind & 1u) << 24 | (kind & 2u) << 15 | (kind & 4u) << 6 : piece;
+}
+//-- end
 void join(uint a, uint b) {
-    uint piece = a << 16 | b & 0xffffu;
-    if (has_classes) piece = piece & 0xfefefeffu | (a & 0x1000000u) | (a & 0x2000000u) >> 9 | (a & 0x4000000u) >> 18;
+    uint piece = of_kind(a << 16 | b & 0xffffu, a >> 24);
     drawn = uvec4(max(piece, 1u), drawn.xyz);  // 0 would end the list
 }
 
@@ -184,14 +186,11 @@ void main() {
         if (ends[i] != 0u && ends[i] != star) join(ends[i], star);
 }
 //// lines
-const bool keeps_half = true;
-//-- ink
+const bool keeps_half = true, has_thin = false;
+//-- pen
 precision highp float;
 precision highp int;
-const bool has_classes = false;
-uniform highp usampler2D pieces;
 uniform float widthPx;
-out vec4 line;
 
 /// The share of a unit square on the near side of a straight line that passes its middle, x beyond it; of the
 /// line's normal the larger and the smaller part.
@@ -202,6 +201,31 @@ vec4 share_within(vec4 x, vec4 larger, vec4 smaller) {
     less = mix(vec4(0), less, greaterThan(left, vec4(0)));
     return mix(less, 1.0 - less, greaterThan(x, vec4(0)));
 }
+
+/// Of the middles of a pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
+struct Pen { vec4 over, way_x, way_y; };
+
+/// Of a piece between two places in the pixel.
+Pen pen_of(vec2 from, vec2 to) {
+    vec2 along = to - from;
+    vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
+    vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
+    to_x -= t * along.x, to_y -= t * along.y;
+    return Pen(0.5 * widthPx - sqrt(to_x * to_x + to_y * to_y), abs(to_x), abs(to_y));
+}
+
+/// The share of each quarter that the pen covers.
+vec4 shares_of(Pen pen) {
+    vec4 away = sqrt(pen.way_x * pen.way_x + pen.way_y * pen.way_y);
+    vec4 larger = max(pen.way_x, pen.way_y) / max(away, 1e-6), smaller = min(pen.way_x, pen.way_y) / max(away, 1e-6);
+    larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
+    return share_within(2.0 * pen.over, larger, smaller) - share_within(2.0 * (pen.over - widthPx), larger, smaller);
+}
+//-- ink
+const bool has_classes = false;
+uniform highp usampler2D pieces;
+uniform highp sampler2D thin;  // as strokes draws it
+out vec4 line;
 
 /// Whether a pixel lies between lines of one pixel that are less than two apart, which are to stay two at half;
 /// `lined`: of those above, left, here, right and below, whether a line runs through, a bit each.
@@ -216,11 +240,21 @@ bool is_spike(vec4 ends) {
     return keeps_half && widthPx <= 1.0 && (on_one.x && at_side.x || on_one.y && at_side.y || !(at_side.z || at_side.w));
 }
 
+/// Takes in what is drawn of thin parts.
+void add_thin(inout vec4 shares, inout uint kind, vec4 drawn) {
+    if (has_classes) {
+        uvec4 words = uvec4(255.0 * drawn + 0.5);
+        drawn = vec4(words >> 3) / 31.0;
+        uint word = max(max(words.x, words.y), max(words.z, words.w));
+        if (any(greaterThan(drawn, shares))) kind = word & 7u;
+    }
+    shares = max(shares, drawn);
+}
+
 void main() {
     int reach = int(ceil(0.5 * widthPx));
     ivec2 p = ivec2(gl_FragCoord.xy) + reach;
-    // Of the middles of the pixel's quarters: by how much a pen reaches over them, and the way to the line's middle.
-    vec4 over = vec4(-1), way_x = vec4(0), way_y = vec4(0);
+    Pen pen = Pen(vec4(-1), vec4(0), vec4(0));
     uint lined = 0u, kind = 0u;
     float least = 0.0, nearest = -1.0;
     uvec4 cell = uvec4(0);
@@ -231,22 +265,16 @@ void main() {
         if (x * x + y * y <= 1) lined |= 1u << (2 * y + x + 2);
         vec4 ends = vec4(cell.x >> 24, cell.x >> 16 & 255u, cell.x >> 8 & 255u, cell.x & 255u) / 255.0;
         if (x == 0 && y == 0 && cell.y == 0u && is_spike(ends)) least = 0.45;
-        vec2 from = ends.xy + vec2(x, y), along = ends.zw - ends.xy;
-        vec4 to_x = vec4(0.25, 0.75, 0.25, 0.75) - from.x, to_y = vec4(0.25, 0.25, 0.75, 0.75) - from.y;
-        vec4 t = clamp((to_x * along.x + to_y * along.y) / max(dot(along, along), 1e-12), 0.0, 1.0);
-        to_x -= t * along.x, to_y -= t * along.y;
-        vec4 found = 0.5 * widthPx - sqrt(to_x * to_x + to_y * to_y);
-        float most = max(max(found.x, found.y), max(found.z, found.w));
+        Pen found = pen_of(ends.xy + vec2(x, y), ends.zw + vec2(x, y));
+        float most = max(max(found.over.x, found.over.y), max(found.over.z, found.over.w));
         if (has_classes && most > nearest)
             nearest = most, kind = cell.x >> 24 & 1u | cell.x >> 15 & 2u | cell.x >> 6 & 4u;
-        bvec4 is_further = greaterThan(found, over);
-        over = mix(over, found, is_further);
-        way_x = mix(way_x, abs(to_x), is_further), way_y = mix(way_y, abs(to_y), is_further);
+        bvec4 is_further = greaterThan(found.over, pen.over);
+        pen.over = mix(pen.over, found.over, is_further);
+        pen.way_x = mix(pen.way_x, found.way_x, is_further), pen.way_y = mix(pen.way_y, found.way_y, is_further);
     }
-    vec4 away = sqrt(way_x * way_x + way_y * way_y);
-    vec4 larger = max(way_x, way_y) / max(away, 1e-6), smaller = min(way_x, way_y) / max(away, 1e-6);
-    larger = mix(larger, vec4(1), lessThan(away, vec4(1e-6)));
-    vec4 shares = share_within(2.0 * over, larger, smaller) - share_within(2.0 * (over - widthPx), larger, smaller);
+    vec4 shares = shares_of(pen);
+    if (has_thin) add_thin(shares, kind, texelFetch(thin, p, 0));
     float ink = clamp(dot(shares, vec4(0.25)), least, is_between(lined) ? 0.41 : 1.0);
     line = has_classes ? vec4(ink, float(kind) / 255.0, 0, 0) : vec4(ink);
 }

@@ -150,10 +150,13 @@ float q_on(Walk walk, float s) {
     return mix(walk.entered.y, walk.left.y, length_px > 0.0 ? (s - walk.entered.x) / length_px : 0.0);
 }
 
+/// `of_class`: a line as one of a class; an edge tells its own.
 #ifdef NAMES_EDGES
 const uint most_place = 127u, no_edge = 0xffffff80u;
+uint of_class(uint line, uint kind) { return line; }
 #else
 const uint most_place = 255u, no_edge = 0xff00u;
+uint of_class(uint line, uint kind) { return has_classes && line != 0u ? line & 0xffffu | kind << 16 : line; }
 #endif
 uint place_of(float s) { return uint(float(most_place) * clamp(s, 0.0, 1.0) + 0.5); }
 
@@ -210,8 +213,7 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
         bool is_open = is_two && facing != 0.0 && facing_next == ((twin & 0x80000000u) != 0u ? -facing : facing);
         if (!is_open || kind != 0u) {
             walk.kind = is_open ? kind : twin == nothing ? boundary : contour;
-            if (has_classes) noted |= walk.kind << 16;
-            if (notes_lines) walk.lines = uvec4(noted, walk.lines.xyz);
+            if (notes_lines) walk.lines = uvec4(of_class(noted, walk.kind), walk.lines.xyz);
             if (!is_open || !notes_lines) {
                 walk.end = twin == many ? fork : twin == nothing ? border : other_line;
                 return walk;

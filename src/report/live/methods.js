@@ -3,33 +3,44 @@
 /// `targets`: formats of the textures that the mesh is drawn into. `reads`: arrays of the mesh by the names
 /// that the shader has for them; without, it reads the tables of faces and points. `hasCorners`: samples are
 /// corners of pixels. `passes`: how often the mesh is drawn, with which uniforms and faces; once, both sides,
-/// unless it says otherwise. `steps`: sections that draw for the next one before the lines: under which name it reads
-/// that, of which format it is (`ofClasses` with classes), and how much larger than the frame. `isInk`: lines are ink of any
-/// width. `hasClasses`: it can tell the classes of its lines.
+/// unless it says otherwise. `steps`: sections that draw for the next one before the lines: what they `draw` by the name
+/// under which that reads it, and its format (`ofClasses` with classes); `by` which vertices, and how large of a frame's size.
+/// `linesBy`: vertices of the lines. `isInk`: lines are ink of any width. `hasClasses`: it can tell the classes of its lines.
+const sizes = {
+    corners: (width, height) => [width + 1, height + 1],
+    cells: (width, height) => [width, height],
+    ways: (width, height) => [4 * Math.ceil(width / 8), Math.ceil(height / 4)],
+};
 const METHODS = {
     chords: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
         isInk: true,
         hasClasses: true,
-        steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
-            {section: 'sides', draws: 'sides', format: 'RGBA16UI', ofClasses: 'RGBA32UI', more: 1},
-            {section: 'cells', draws: 'pieces', format: 'RGBA32UI', more: 0}],
+        steps: [{section: 'marks', by: 'screen', draws: {marks: 'R8UI'}, size: 'corners'},
+            {section: 'sides', by: 'tiles', draws: {sides: 'RGBA16UI'}, ofClasses: 'RGBA32UI', size: 'corners'},
+            {section: 'cells', by: 'tiles', draws: {pieces: 'RGBA32UI'}, size: 'cells'}],
+        linesBy: 'tiles',
     },
     strokes: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
         isInk: true,
-        steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
-            {section: 'sides', draws: 'sides', format: 'RGBA32UI', more: 1},
-            {section: 'cells', draws: 'pieces', format: 'RGBA32UI', more: 0}],
+        hasClasses: true,
+        steps: [{section: 'marks', by: 'screen', draws: {marks: 'R8UI'}, size: 'corners'},
+            {section: 'sides', by: 'tiles', draws: {sides: 'RGBA32UI'}, size: 'corners'},
+            {section: 'cells', by: 'tiles', draws: {pieces: 'RGBA32UI', exits: 'RGBA32UI'}, size: 'cells'},
+            {section: 'ways', by: 'screen', draws: {ways: 'RGBA32UI'}, size: 'ways'},
+            {section: 'thin', by: 'spread', draws: {thin: 'RGBA8'}, size: 'cells'}],
+        linesBy: 'tiles spread',
     },
     surface_lookup: {
         targets: ['R32UI', 'R32UI'],
         hasCorners: true,
         hasClasses: true,
-        steps: [{section: 'marks', draws: 'marks', format: 'R8UI', more: 1},
-            {section: 'sides', draws: 'sides', format: 'R8UI', more: 1}],
+        steps: [{section: 'marks', by: 'screen', draws: {marks: 'R8UI'}, size: 'corners'},
+            {section: 'sides', by: 'tiles', draws: {sides: 'R8UI'}, size: 'corners'}],
+        linesBy: 'tiles',
     },
     surface8: {targets: ['R8UI'], reads: {_ink: 'surface8'}, hasCorners: true},
     surface8_depth: {targets: ['R8UI', 'R32UI'], reads: {_ink: 'surface8'}, hasCorners: true},

@@ -194,27 +194,36 @@ class Renderer {
         gl.disable(gl.DEPTH_TEST);
     }
 
-    /// Draws a section over a target; where there are marks, over what these reach of it, cleared to 0.
-    drawPass(name, section, target, textures, values) {
+    /// Draws a section over a target by vertices of that name, or of several; what is not drawn over becomes 0.
+    drawPass(name, section, by, target, textures, values) {
         const {gl} = this;
         gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
         gl.viewport(0, 0, target.width, target.height);
-        if (textures.marks && target.formats[0].endsWith('UI')) gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
-        else if (textures.marks) gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
-        this.drawScreen(name, section, textures, {...values, target_size: [target.width, target.height]});
+        target.formats.forEach((format, i) => {
+            if (by === 'screen') return;
+            if (format.endsWith('UI')) gl.clearBufferuiv(gl.COLOR, i, [0, 0, 0, 0]);
+            else gl.clearBufferfv(gl.COLOR, i, [0, 0, 0, 0]);
+        });
+        for (const vertices of by.split(' '))
+            this.drawSection(name, section, vertices, textures, {...values, target_size: [target.width, target.height]});
     }
 
-    /// Draws a triangle over what is bound by a section of a shader, or tiles of it where there are marks, with textures
-    /// by the names of their uniforms.
-    drawScreen(name, section, textures, values) {
+    /// Draws a section of a shader into what is bound, with textures by the names of their uniforms: a triangle over all, the
+    /// tiles that marks reach, or a triangle for each way, of which the greatest stay.
+    drawSection(name, section, by, textures, values) {
         const {gl} = this;
-        const program = this.program(name, textures.marks ? 'tiles' : 'screen', section, values.hasClasses);
+        const program = this.program(name, by, section, values.hasClasses);
         gl.useProgram(program.program);
         const units = this.bind(textures);
         setUniforms(gl, program, {...values, ...units});
         gl.bindVertexArray(this.empty);
-        if (textures.marks) gl.drawArrays(gl.POINTS, 0, Math.ceil(values.target_size[0] / TILE_PX) * Math.ceil(values.target_size[1] / TILE_PX));
-        else gl.drawArrays(gl.TRIANGLES, 0, 3);
+        if (by === 'spread') gl.enable(gl.BLEND);
+        gl.blendEquation(gl.MAX);
+        const [width, height] = by === 'spread' ? sizes.ways(...values.size) : values.target_size ?? [];
+        if (by === 'screen') gl.drawArrays(gl.TRIANGLES, 0, 3);
+        else if (by === 'spread') gl.drawArrays(gl.TRIANGLES, 0, 3 * width * height);
+        else gl.drawArrays(gl.POINTS, 0, Math.ceil(width / TILE_PX) * Math.ceil(height / TILE_PX));
+        gl.disable(gl.BLEND);
         // What is drawn into next must not be read.
         this.bind(Object.fromEntries(Object.keys(textures).map(name => [name, null])));
     }
@@ -224,7 +233,7 @@ class Renderer {
     /// through samples then goes to the face that the program gives it to.
     drawLines(name, camera, width, height, use = '', widthPx = 1, isClassed = false) {
         const {gl} = this;
-        const {targets, reads, hasCorners, passes, isInk, steps = []} = METHODS[name];
+        const {targets, reads, hasCorners, passes, isInk, steps = [], linesBy = 'screen'} = METHODS[name];
         const hasClasses = Boolean(isClassed && METHODS[name].hasClasses);
         const margin = isInk ? Math.ceil(widthPx / 2) : 0; // lines outside reach in
         const [w, h] = [width + 2 * margin, height + 2 * margin];
@@ -236,13 +245,14 @@ class Renderer {
         const codes = this.target('codes', targets, w + more, h + more, true);
         this.drawMesh(name, reads, codes, values, passes);
         const drawn = {codes: codes.textures[0], depths: codes.textures[1] || null, ...reads ? {} : this.tables};
-        for (const {section, draws, format, ofClasses = format, more: larger} of steps) {
-            const target = this.target(draws, [hasClasses ? ofClasses : format], w + larger, h + larger, false);
-            this.drawPass(name, section, target, drawn, values);
-            drawn[draws] = target.textures[0];
+        for (const {section, by, draws, ofClasses, size} of steps) {
+            const formats = hasClasses && ofClasses ? [ofClasses] : Object.values(draws);
+            const target = this.target(section, formats, ...sizes[size](w, h), false);
+            this.drawPass(name, section, by, target, drawn, values);
+            Object.keys(draws).forEach((what, i) => { drawn[what] = target.textures[i]; });
         }
         const lines = this.target(`lines ${use}`, [hasClasses ? 'RG8' : 'R8'], width, height, false);
-        this.drawPass(name, 'lines', lines, drawn, values);
+        this.drawPass(name, 'lines', linesBy, lines, drawn, values);
         return {...lines, isDown: Boolean(hasCorners)};
     }
 
@@ -260,7 +270,7 @@ class Renderer {
         gl.viewport(part.x, part.y, part.width, part.height);
         gl.enable(gl.SCISSOR_TEST);
         gl.scissor(seen.x, seen.y, seen.width, seen.height);
-        this.drawScreen('screen', 'lines', {fill: fill.textures[0], mask: lines.textures[0]},
+        this.drawSection('screen', 'lines', 'screen', {fill: fill.textures[0], mask: lines.textures[0]},
             {...looks, isDown: Number(lines.isDown), origin: [part.x, part.y], size: [part.width, part.height]});
         gl.disable(gl.SCISSOR_TEST);
     }
