@@ -71,7 +71,7 @@ class PageTest(browser.BrowserTest):
             self.link(folder, adapters.OUTSIDE / engine / "lookup.html", f"{engine}.html")
             for name, installed in packages.items():
                 self.link(folder, adapters.load_installer().store() / installed, name)
-        for file in ("three/baked.html", "webgl/lookup.js"):
+        for file in ("three/baked.html", "webgl/lookup.js", "webgl/pose.glsl"):
             self.link(folder, adapters.OUTSIDE / file)
         for method in ("surface8", "surface_lookup", "chords", "strokes"):
             self.link(folder, adapters.ROOT / "methods" / method / f"{method}.glsl")

@@ -1,6 +1,7 @@
 // Draws the lines of surface_lookup, chords or strokes over what a WebGL 2 context shows, whichever engine drew that.
 
 const TABLE_WIDTH = 4096, TILE_PX = 4;  // texels in a row, and sides of marked squares, as the shaders have them
+const rowsOf = texels => Math.ceil(texels / TABLE_WIDTH);
 
 /// The shader of a method, with what it takes from others' files ("//// screen of surface8") in its place.
 function wholeShader(method, files) {
@@ -11,21 +12,36 @@ function wholeShader(method, files) {
     });
 }
 
+/// What moves a vertex of a part, four numbers each: by a morph, and below 0 where its weight is; two bones' matrices and
+/// weights, each matrix before its weight.
+function termsOf({morphs, bones}, vertex, {matrices, weights}) {
+    const first = matrices / 16;
+    const added = morphs.map((deltas, i) => [...deltas.slice(3 * vertex, 3 * vertex + 3), -1 - weights - i]);
+    const moved = bones.flatMap(([joints, shares]) =>
+        [0, 1, 2, 3].flatMap(i => [first + joints[4 * vertex + i], shares[4 * vertex + i]]));
+    return [...added.filter(([x, y, z]) => x || y || z).flat(), ...bones.length > 0 ? moved : [first, 1, first, 0]];
+}
+
 export class LookupLines {
-    /// `files`: the texts of surface8.glsl, surface_lookup.glsl, chords.glsl and strokes.glsl by method. `faces`: eight words a face.
-    /// Before each frame that moves them fill `points`: four floats each, the last of them 1.
-    constructor(gl, method, files, faces, pointCount) {
-        const [, ...parts] = wholeShader(method, files).split(/^\/\/\/\/ (\w+)\n/m);
-        const sections = Object.fromEntries(parts.flatMap((text, i) => i % 2 ? [] : [[text, parts[i + 1]]]));
-        const program = (vertex, fragment) => this.program(sections[vertex], sections[fragment]);
+    /// `files`: the texts of pose.glsl, surface8.glsl, surface_lookup.glsl, chords.glsl and strokes.glsl by name. `words`:
+    /// the tables, from `inkbench bake --codes surface_lookup`; their `parts` are pairs of a glTF node and a primitive of its
+    /// mesh. Throws an Error where nothing draws into textures of floats.
+    constructor(gl, method, files, words) {
+        if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('Points move by EXT_color_buffer_float, which is not there.');
         this.gl = gl;
-        this.faceCount = faces.length / 8;
-        this.points = new Float32Array(4 * TABLE_WIDTH * Math.ceil(pointCount / TABLE_WIDTH));
-        this.tables = {faces: this.texture(gl.RGBA32UI, TABLE_WIDTH, Math.ceil(2 * this.faceCount / TABLE_WIDTH)),
-            points: this.texture(gl.RGBA32F, TABLE_WIDTH, Math.ceil(pointCount / TABLE_WIDTH))};
-        this.faces = new Uint32Array(4 * TABLE_WIDTH * Math.ceil(2 * this.faceCount / TABLE_WIDTH));
-        this.faces.set(faces);
-        this.fill(this.tables.faces, gl.RGBA_INTEGER, gl.UNSIGNED_INT, this.faces);
+        const [faceCount, partCount, pointCount] = words;
+        const [faces, parts] = [words.subarray(3, 3 + 8 * faceCount), words.subarray(3 + 8 * faceCount)];
+        this.faceCount = faceCount;
+        this.pointCount = pointCount;
+        this.parts = Array.from({length: partCount}, (_, i) => [parts[2 * i], parts[2 * i + 1]]);
+        this.places = parts.subarray(2 * partCount);  // of points part and vertex
+        this.atRest = {faces: this.table(gl.RGBA32UI, faces)};
+        this.posed = {points: this.target([gl.RGBA32F], TABLE_WIDTH, rowsOf(pointCount), false),
+            faces: this.target([gl.RGBA32UI], TABLE_WIDTH, rowsOf(2 * faceCount), false)};
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        this.tables = {faces: this.posed.faces.textures[0], points: this.posed.points.textures[0]};
+        const program = this.programsOf(method, files), moving = this.programsOf('pose', files);
+        this.moves = ['points', 'faces'].map(name => [name, moving('screen', name)]);
         this.empty = gl.createVertexArray();
         this.mesh = program('vertex', 'fragment');
         this.isInk = method !== 'surface_lookup';
@@ -34,6 +50,13 @@ export class LookupLines {
         if (this.isInk) this.steps.push(['pieces', program('tiles', 'cells'), gl.RGBA32UI]);
         this.lines = program('screen', 'lines');
         this.targets = [];
+    }
+
+    /// What makes a program of two sections of a shader.
+    programsOf(name, files) {
+        const [, ...parts] = wholeShader(name, files).split(/^\/\/\/\/ (\w+)\n/m);
+        const sections = Object.fromEntries(parts.flatMap((text, i) => i % 2 ? [] : [[text, parts[i + 1]]]));
+        return (vertex, fragment) => this.program(sections[vertex], sections[fragment]);
     }
 
     texture(format, width, height) {
@@ -45,12 +68,22 @@ export class LookupLines {
         return texture;
     }
 
-    fill(texture, layout, type, values) {
+    table(format, numbers) {
+        const texture = this.texture(format, TABLE_WIDTH, rowsOf(numbers.length / 4));
+        this.fill(texture, numbers);
+        return texture;
+    }
+
+    fill(texture, numbers) {
         const {gl} = this;
+        const [layout, type] = numbers instanceof Float32Array ? [gl.RGBA, gl.FLOAT] : [gl.RGBA_INTEGER, gl.UNSIGNED_INT];
+        const rows = rowsOf(numbers.length / 4);
+        const whole = new numbers.constructor(4 * TABLE_WIDTH * rows);
+        whole.set(numbers);
         gl.bindTexture(gl.TEXTURE_2D, texture);
         for (const [name, value] of [['FLIP_Y_WEBGL', false], ['PREMULTIPLY_ALPHA_WEBGL', false], ['ALIGNMENT', 4]])
             gl.pixelStorei(gl[`UNPACK_${name}`], value);  // engines leave their own
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH, values.length / (4 * TABLE_WIDTH), layout, type, values);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH, rows, layout, type, whole);
     }
 
     program(vertex, fragment) {
@@ -106,43 +139,57 @@ export class LookupLines {
             gl.bindTexture(gl.TEXTURE_2D, texture);
             gl.uniform1i(gl.getUniformLocation(program, name), unit);
         });
-        for (const name of ['modelViewMatrix', 'projectionMatrix'])
-            gl.uniformMatrix4fv(gl.getUniformLocation(program, name), false, values[name]);
-        gl.uniform2fv(gl.getUniformLocation(program, 'size'), values.size);
-        gl.uniform2f(gl.getUniformLocation(program, 'target_size'), target.width, target.height);
-        gl.uniform1f(gl.getUniformLocation(program, 'widthPx'), values.widthPx);
+        for (const [name, value] of Object.entries({...values, target_size: [target.width, target.height]})) {
+            const place = gl.getUniformLocation(program, name);
+            if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
+            else if (value.length === 2) gl.uniform2fv(place, value);
+            else gl.uniform1f(place, value);
+        }
         gl.drawArrays(kind, 0, count);
     }
 
-    /// Creases as `points` are now bent, at so many degrees or more: without it they stay those of the tables' pose.
-    fold(creaseDeg = 40) {
-        const {gl, faces, points, faceCount} = this;
-        const normals = new Float64Array(3 * faceCount);
-        for (let f = 0; f < faceCount; ++f) {
-            const [a, b, c] = [4 * faces[8 * f], 4 * faces[8 * f + 1], 4 * faces[8 * f + 2]];
-            const [x, y, z] = [points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]];
-            const [u, v, w] = [points[c] - points[a], points[c + 1] - points[a + 1], points[c + 2] - points[a + 2]];
-            const length = Math.hypot(y * w - z * v, z * u - x * w, x * v - y * u);
-            normals.set([(y * w - z * v) / length, (z * u - x * w) / length, (x * v - y * u) / length], 3 * f);
+    /// Takes, once, the model at rest. Of each part `position`, three numbers a vertex; `morphs`, arrays of what each adds
+    /// to it; and `bones`, pairs of arrays of joints and weights, four a vertex.
+    bind(parts) {
+        const {gl, places, pointCount} = this;
+        let count = 0;
+        this.beginnings = parts.map(({bones, morphs}) => {
+            const last = bones.flatMap(([joints]) => [...joints]).reduce((a, b) => Math.max(a, b), 0);
+            const matrices = count, weights = count + 16 * (last + 1);
+            count = weights + 16 * Math.ceil(morphs.length / 16);
+            return {matrices, weights};
+        });
+        const points = [], terms = [], held = TABLE_WIDTH * rowsOf(pointCount);
+        for (let i = 0; i < pointCount; ++i) {
+            const part = places[2 * i], v = places[2 * i + 1];
+            points.push(...parts[part].position.slice(3 * v, 3 * v + 3), held + 1 + terms.length / 4);
+            terms.push(...termsOf(parts[part], v, this.beginnings[part]));
         }
-        const least = Math.cos(creaseDeg * Math.PI / 180);
-        for (let f = 0; f < faceCount; ++f) {
-            let rest = faces[8 * f + 7] & ~0x800000;
-            for (let i = 0; i < 3; ++i) {
-                const twin = faces[8 * f + 4 + i];
-                if (twin === 0xfffffffb) rest |= 0x800000;  // an edge of many faces
-                if (twin >= 0xfffffffb) continue;
-                const g = (twin & 0x3ffffffc) >> 2, other = faces[8 * g + 7];
-                const cosine = normals[3 * f] * normals[3 * g] + normals[3 * f + 1] * normals[3 * g + 1] + normals[3 * f + 2] * normals[3 * g + 2];
-                const isCrease = (twin >>> 31 ? -cosine : cosine) <= least;
-                const kind = isCrease ? 3 : (rest ^ other) & 0x7ffe00 ? 5 : 0;
-                rest = rest & ~(7 << 3 * i) | kind << 3 * i;
-                // What codes do not tell is looked up.
-                if ((kind !== 0) !== (Math.abs((rest >>> 24) - (other >>> 24)) >= 2)) rest |= 0x800000;
-            }
-            faces[8 * f + 7] = rest;
-        }
-        this.fill(this.tables.faces, gl.RGBA_INTEGER, gl.UNSIGNED_INT, faces);
+        for (let i = pointCount; i <= held; ++i) points.push(0, 0, 0, held + 1 + terms.length / 4);
+        this.atRest.rest = this.table(gl.RGBA32F, new Float32Array([...points, ...terms]));
+        this.numbers = new Float32Array(count);
+        this.atRest.pose = this.table(gl.RGBA32F, this.numbers);
+    }
+
+    /// Moves the model, at least once before it is drawn. Of each part `matrices`, 16 numbers by columns for each bone, or for
+    /// all of it without a skin, from rest to the world; and `weights` of its morphs. Edges are creases from so many degrees.
+    pose(parts, creaseDeg = 40) {
+        parts.forEach(({matrices, weights}, i) => {
+            const begin = this.beginnings[i];
+            this.numbers.set(matrices.slice(0, begin.weights - begin.matrices), begin.matrices);
+            this.numbers.set(weights, begin.weights);
+        });
+        this.leastCosine = Math.cos(creaseDeg * Math.PI / 180);
+        this.hasMoved = true;
+    }
+
+    /// Draws points, and the faces between them, into the tables.
+    move() {
+        const {atRest, tables} = this;
+        this.fill(atRest.pose, this.numbers);
+        for (const [name, program] of this.moves)
+            this.run(program, this.posed[name], {...tables, ...atRest}, {least_cosine: this.leastCosine}, 3);
+        this.hasMoved = false;
     }
 
     /// Draws the lines over the canvas, `view` and `projection` as 16 numbers by columns, of a projection whose depth is
@@ -155,13 +202,13 @@ export class LookupLines {
         if (String(size) !== String(this.size)) this.resize(...size);
         const shares = [width / size[0], height / size[1], 1, 1];
         const values = {modelViewMatrix: view, projectionMatrix: projection.map((value, i) => value * shares[i % 4]), size, widthPx};
-        this.fill(this.tables.points, gl.RGBA, gl.FLOAT, this.points);
         gl.bindVertexArray(this.empty);
         for (const state of [gl.BLEND, gl.CULL_FACE, gl.SCISSOR_TEST, gl.STENCIL_TEST, gl.DITHER]) gl.disable(state);
         gl.enable(gl.DEPTH_TEST);
         gl.depthFunc(gl.LESS);
         gl.depthMask(true);
         gl.colorMask(true, true, true, true);
+        if (this.hasMoved) this.move();
         const [mesh, ...others] = this.targets;
         gl.bindFramebuffer(gl.FRAMEBUFFER, mesh.frame);
         for (const i of [0, 1]) gl.clearBufferuiv(gl.COLOR, i, [0, 0, 0, 0]);
