@@ -80,9 +80,9 @@ class PageTest(browser.BrowserTest):
     def link(self, folder, file, name=None):
         (folder / (name or file.name)).symlink_to(file)
 
-    def drawn(self, folder, page="baked.html", screens=(SCREEN,)):
+    def drawn(self, folder, page="baked.html", screens=(SCREEN,), read=""):
         """The picture of a page whose files are in a folder, as an array of greys: of the last of the screens that
-        its window has in turn."""
+        its window has in turn. Or what a script reads there."""
         handler = functools.partial(Quiet, directory=str(folder))
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -94,7 +94,7 @@ class PageTest(browser.BrowserTest):
                 if screen == screens[0]:
                     self.browser.get(f"http://127.0.0.1:{server.server_port}/{page}")
                 grey = self.settled((height * ratio, width * ratio))
-            return grey
+            return self.script(read) if read else grey
         finally:
             self.browser.get("about:blank")
             server.shutdown()
@@ -176,6 +176,16 @@ def equal_share(ours, theirs):
     return 1 - ((ours > 127) != (theirs > 127)).sum() / (2 * (ours > 127).sum())
 
 
+# How many words of the faces, as the page has posed them, are others than those of the tables; of how many.
+OTHER_WORDS = """
+    const {gl, posed: {faces: {frame, width, height}}, faceCount} = lines, posed = new Uint32Array(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, posed);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return [posed.subarray(0, 8 * faceCount).filter((word, i) => word !== words[3 + i]).length, 8 * faceCount];
+"""
+
+
 class LookupTest(PageTest):
     switches = tuple(webgl.MESA_GL)
 
@@ -199,11 +209,13 @@ class LookupTest(PageTest):
     def inks_of_pages(self, folder, method, time_s, screens=(SCREEN,)):
         """By engine; those that are not installed are left out."""
         inks = {}
-        for engine in ENGINES:
-            if not adapters.missing_packages(ENGINES[engine].installed_for):
-                page = self.page_of_lines(engine, method, time_s, folder)
-                inks[engine] = 255 - self.drawn(folder, page, screens).astype(int)
+        for engine in self.engines():
+            page = self.page_of_lines(engine, method, time_s, folder)
+            inks[engine] = 255 - self.drawn(folder, page, screens).astype(int)
         return inks
+
+    def engines(self):
+        return [name for name, engine in ENGINES.items() if not adapters.missing_packages(engine.installed_for)]
 
     def page_of_lines(self, engine, method, time_s, folder):
         """The page of an engine, changed to draw the lines of a method alone, at one moment."""
@@ -263,6 +275,19 @@ class LookupTest(PageTest):
             self.assertFalse(first[[0, -1]].any() or first[:, [0, -1]].any())
             for ink in others:  # from the same place
                 self.assertGreaterEqual(equal_share(first, ink), LEAST_EQUAL_OF_LOOKUP)
+
+    def test_faces_of_a_pose_are_those_of_its_tables(self):
+        if not (MODELS / "bull.glb").exists():
+            self.skipTest("experiments/models/fetch bull gets the model")
+        with adapters.scratch() as name:
+            folder = self.page_of(MODELS / "bull.glb", Path(name))
+            self.bake_tables(folder, "--time", 0.3)
+            for engine in self.engines():
+                page = folder / self.page_of_lines(engine, "surface_lookup", 0.3, folder)
+                page.write_text(page.read_text().replace("lines.draw(", "Object.assign(window, {lines, words}).lines.draw("))
+                others, count = self.drawn(folder, page.name, read=OTHER_WORDS)
+                self.assertGreater(count, 20_000)
+                self.assertEqual(others, 0, engine)
 
     def check_moments(self, name, eye_and_target, times_s):
         found = [model for ending in ("glb", "gltf") if (model := MODELS / f"{name}.{ending}").exists()]
