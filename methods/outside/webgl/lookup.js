@@ -1,6 +1,11 @@
 // Draws the lines of surface_lookup, chords or strokes over what a WebGL 2 context shows, whichever engine drew that.
 
 const TABLE_WIDTH = 4096, TILE_PX = 4;  // texels in a row, and sides of marked squares, as the shaders have them
+const SIZES = {
+    corners: (width, height) => [width + 1, height + 1],
+    cells: (width, height) => [width, height],
+    ways: (width, height) => [4 * Math.ceil(width / 8), Math.ceil(height / 4)],
+};
 const rowsOf = texels => Math.ceil(texels / TABLE_WIDTH);
 
 /// The shader of a method, with what it takes from others' files ("//// screen of surface8") in its place.
@@ -46,8 +51,11 @@ export class LookupLines {
         this.mesh = program('vertex', 'fragment');
         this.isInk = method !== 'surface_lookup';
         const linesOfSides = {surface_lookup: gl.R8UI, chords: gl.RGBA16UI, strokes: gl.RGBA32UI}[method];
-        this.steps = [['marks', program('screen', 'marks'), gl.R8UI], ['sides', program('tiles', 'sides'), linesOfSides]];
-        if (this.isInk) this.steps.push(['pieces', program('tiles', 'cells'), gl.RGBA32UI]);
+        const isStrokes = method === 'strokes';
+        const step = (section, by, draws, size) => ({program: program(by, section), by, draws, size});
+        this.steps = [step('marks', 'screen', {marks: gl.R8UI}, 'corners'), step('sides', 'tiles', {sides: linesOfSides}, 'corners')];
+        if (this.isInk) this.steps.push(step('cells', 'tiles', {pieces: gl.RGBA32UI, ...isStrokes && {exits: gl.RGBA32UI}}, 'cells'));
+        if (isStrokes) this.steps.push(step('ways', 'screen', {ways: gl.RGBA32UI}, 'ways'), step('thin', 'spread', {thin: gl.RGBA8}, 'cells'));
         this.lines = program('screen', 'lines');
         this.targets = [];
     }
@@ -121,10 +129,8 @@ export class LookupLines {
             gl.deleteFramebuffer(frame);
             [...textures, depth].forEach(texture => gl.deleteTexture(texture));
         }
-        const more = [width + 1, height + 1];
-        this.targets = [this.target([gl.R32UI, gl.R32UI], ...more, true)];
-        for (const [name, , format] of this.steps)
-            this.targets.push(name === 'pieces' ? this.target([format], width, height, false) : this.target([format], ...more, false));
+        this.targets = [this.target([gl.R32UI, gl.R32UI], ...SIZES.corners(width, height), true)];
+        for (const {draws, size} of this.steps) this.targets.push(this.target(Object.values(draws), ...SIZES[size](width, height), false));
         this.size = [width, height];
     }
 
@@ -216,17 +222,17 @@ export class LookupLines {
         this.run(this.mesh, mesh, this.tables, values, 3 * this.faceCount);
         gl.disable(gl.DEPTH_TEST);
         const drawn = {codes: mesh.textures[0], depths: mesh.textures[1], ...this.tables};
-        this.steps.forEach(([name, step], i) => {
+        this.steps.forEach(({program, by, draws}, i) => {
             const target = others[i];
-            if (i === 0) {
-                this.run(step, target, drawn, values, 3);
-            } else {
-                gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
-                gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
-                const tiles = Math.ceil(target.width / TILE_PX) * Math.ceil(target.height / TILE_PX);
-                this.run(step, target, drawn, values, tiles, gl.POINTS);
-            }
-            drawn[name] = target.textures[0];
+            gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+            Object.values(draws).forEach((format, k) =>
+                format === gl.RGBA8 ? gl.clearBufferfv(gl.COLOR, k, [0, 0, 0, 0]) : gl.clearBufferuiv(gl.COLOR, k, [0, 0, 0, 0]));
+            const tiles = Math.ceil(target.width / TILE_PX) * Math.ceil(target.height / TILE_PX);
+            const [columns, rows] = SIZES.ways(...size);
+            if (by === 'spread') gl.enable(gl.BLEND), gl.blendEquation(gl.MAX);
+            this.run(program, target, drawn, values, {screen: 3, tiles, spread: 3 * columns * rows}[by], by === 'tiles' ? gl.POINTS : gl.TRIANGLES);
+            gl.disable(gl.BLEND);
+            Object.keys(draws).forEach((name, k) => { drawn[name] = target.textures[k]; });
         });
         gl.enable(gl.BLEND);
         gl.blendEquation(gl.FUNC_ADD);
