@@ -79,7 +79,7 @@ uvec2 lines_between(ivec2 p, ivec2 to) {
         add(kept, a == 0u ? second : first, -1, 256);
         return kept;
     }
-    if ((there.end >= lost || back.end >= lost) && patch_of(face_a) == patch_of(face_b)) return kept;
+    if (is_lost(there, back) && patch_of(face_a) == patch_of(face_b)) return kept;
     bool goes_there = goes_on(there, q_at(p + to)), goes_back = goes_on(back, q_at(p));
     if (goes_there || goes_back) {
         bool is_seam = goes_there != goes_back && (goes_there ? has_second : has_first);

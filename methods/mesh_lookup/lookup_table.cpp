@@ -1,7 +1,11 @@
 #include "methods/mesh_lookup/lookup_table.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "methods/mesh_lookup/lookup_method.h"
 #include "methods/surface_codes/surface_code_params.h"
@@ -27,6 +31,37 @@ std::vector<std::uint32_t> corners_at_points(const scene::Scene& scene, const Lo
         }
     }
     return corners;
+}
+
+/// From which sides of a face its surface goes on flat over an edge of many, to the next face round
+/// that edge: 1 its front, 2 its back. Faces that lie on it are left out, as walks leave them.
+std::uint32_t flat_sides(const LookupMesh& mesh,
+                         std::uint32_t face,
+                         std::size_t edge,
+                         double crease_rad) {
+    const auto& v = mesh.faces[face].vertices;
+    const auto [low, high] = std::minmax({v[edge], v[(edge + 1) % 3]});
+    const glm::dvec3 a = mesh.p_world[v[edge]];
+    const auto third = [&](std::uint32_t f) {
+        const auto& [i, j, k] = mesh.faces[f].vertices;
+        return mesh.p_world[i ^ j ^ k ^ low ^ high] - a;
+    };
+    const glm::dvec3 axis = glm::normalize(mesh.p_world[v[(edge + 1) % 3]] - a);
+    const glm::dvec3 up = glm::normalize(glm::cross(axis, third(face))),
+                     along = glm::cross(up, axis);
+    double least_rad = 2 * std::numbers::pi, most_rad = 0;
+    for (auto at = std::ranges::lower_bound(mesh.many, ManyFaces{low, high, 0});
+         at != mesh.many.end() && at->a == low && at->b == high;
+         ++at) {
+        const double height = glm::dot(up, third(at->face)),
+                     reach = glm::dot(along, third(at->face));
+        if (reach > 0 && std::abs(height) <= mesh.tolerance_world[mesh.objects[face]]) continue;
+        const double turn_rad = std::numbers::pi + std::atan2(-height, -reach);
+        least_rad = std::min(least_rad, turn_rad);
+        most_rad = std::max(most_rad, turn_rad);
+    }
+    const auto is_flat = [&](double rad) { return std::abs(rad - std::numbers::pi) < crease_rad; };
+    return (is_flat(least_rad) ? 1U : 0U) | (is_flat(most_rad) ? 2U : 0U);
 }
 
 }  // namespace
@@ -57,9 +92,9 @@ std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
 LookupTable lookup_table(const scene::PreparedScene& scene, double crease_deg) {
     LookupParams params;
     params.crease_deg = crease_deg;
-    const LookupMesh mesh = make_lookup_mesh(
-        scene,
-        {.crease_rad = glm::radians(params.crease_deg), .weld_epsilon = params.weld_epsilon});
+    const double crease_rad = glm::radians(params.crease_deg);
+    const LookupMesh mesh =
+        make_lookup_mesh(scene, {.crease_rad = crease_rad, .weld_epsilon = params.weld_epsilon});
     LookupWord::require_room("surface_lookup", mesh.faces.size());
     SurfaceCodeParams code_params;
     code_params.crease_deg = params.crease_deg;
@@ -75,7 +110,10 @@ LookupTable lookup_table(const scene::PreparedScene& scene, double crease_deg) {
         std::uint32_t rest =
             (words[f] & ~LookupWord::kFaceOfCoded) | (mesh.objects[f] & LookupTable::kObject) << 9U;
         for (std::size_t i = 0; i < 3; ++i)
-            rest |= static_cast<std::uint32_t>(face.kinds[i]) << 3 * i;
+            rest |= (face.twins[i].is_many()
+                         ? flat_sides(mesh, static_cast<std::uint32_t>(f), i, crease_rad)
+                         : static_cast<std::uint32_t>(face.kinds[i]))
+                    << 3 * i;
         table.faces.push_back({face.vertices,
                                face.patch,
                                {face.twins[0].word, face.twins[1].word, face.twins[2].word},

@@ -20,8 +20,8 @@ namespace ink::methods {
 struct LookupTable {
     static constexpr std::uint32_t kObject = 0x3fff;  ///< bits by which objects are told apart
     /// Corners and patch, and the twins of edges (Twin); the last has the face's code and flag in
-    /// its upper nine bits, as its word, then its object, and 3 bits for the kind of each edge in
-    /// its lower nine.
+    /// its upper nine bits, as its word, then its object, and in its lower nine 3 bits for the kind
+    /// of each edge; of one of many faces 1 if it is flat from the front, and 2 if from the back.
     struct Face {
         std::array<std::uint32_t, 3> corners;
         std::uint32_t patch;

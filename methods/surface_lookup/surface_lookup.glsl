@@ -106,7 +106,7 @@ uniform highp sampler2D points;
 uniform mat4 modelViewMatrix;
 
 const uint nothing = 0xffffffffu, many = 0xfffffffbu;
-const int arrived = 0, border = 1, other_line = 2, beyond = 3, cut = 4, lost = 5, fork = 6;
+const int arrived = 0, border = 1, other_line = 2, beyond = 3, cut = 4, fork = 5, lost = 6, flat_fork = 7;
 const uint contour = 1u, boundary = 2u, crease = 3u, intersection = 4u, seam = 5u;  // classes
 
 ivec2 at(int i) { return ivec2(i & 4095, i >> 12); }
@@ -215,7 +215,9 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
             walk.kind = is_open ? kind : twin == nothing ? boundary : contour;
             if (notes_lines) walk.lines = uvec4(of_class(noted, walk.kind), walk.lines.xyz);
             if (!is_open || !notes_lines) {
-                walk.end = twin == many ? fork : twin == nothing ? border : other_line;
+                // Of many faces the next one round the edge may go on flat on the side that is seen.
+                bool is_flat = (kind & (facing < 0.0 ? 1u : 2u)) != 0u;
+                walk.end = twin == many ? (is_flat ? flat_fork : fork) : twin == nothing ? border : other_line;
                 return walk;
             }
         }
@@ -231,10 +233,14 @@ Walk walk(ivec2 from, ivec2 to, uint face, uint goal, float asked) {
     return walk;
 }
 
-bool is_at_line(Walk walk) { return walk.end == border || walk.end == other_line || walk.end == fork; }
+bool may_go_on(Walk walk) { return walk.end == border || walk.end == flat_fork; }
+bool is_at_line(Walk walk) { return may_go_on(walk) || walk.end == other_line || walk.end == fork; }
+
+/// Whether nothing is known of the way between the ends of two walks.
+bool is_lost(Walk there, Walk back) { return max(there.end, back.end) == lost || min(there.end, back.end) >= lost; }
 
 /// Whether the surface of a walk goes on to the next sample, no farther off than what is seen there.
-bool goes_on(Walk walk, float q_seen) { return walk.end == beyond && q_on(walk, 1.0) >= q_seen * (1.0 - 1e-5); }
+bool goes_on(Walk walk, float q_seen) { return walk.end == beyond && q_on(walk, 1.0) >= q_seen * (1.0 - 4e-6); }
 
 uint patch_of(uint face) { return texelFetch(faces, at(2 * int(face)), 0).w; }
 uint object_of(uint face) { return texelFetch(faces, at(2 * int(face) + 1), 0).w >> 9 & 0x3fffu; }
@@ -245,9 +251,9 @@ vec3 normal_of(uint face) {
     return normalize(cross(texelFetch(points, at(int(corners.y)), 0).xyz - p, texelFetch(points, at(int(corners.z)), 0).xyz - p));
 }
 
-/// Whether two walks ended at both sides of a crack, or of an edge of many faces, flatter than a crease of 40 degrees.
+/// Whether borders that ended two walks are both sides of a crack, flatter than a crease of 40 degrees.
 bool is_crack(Walk there, Walk back) {
-    return there.end == back.end && (there.end == border || there.end == fork) &&
+    return may_go_on(there) && may_go_on(back) &&
         abs(there.left.x + back.left.x - 1.0) <= 1.0 / 64.0 && abs(there.left.y - back.left.y) <= 1e-4 * there.left.y &&
         abs(dot(normal_of(there.face), normal_of(back.face))) > 0.766;
 }
@@ -276,7 +282,7 @@ uint found_between(ivec2 p, ivec2 to) {
         if (i == 0) there = back;
     }
     if (is_sky) return is_at_line(back) ? back.kind : contour;
-    if ((there.end >= lost || back.end >= lost) && patch_of(face_a) == patch_of(face_b)) return 0u;
+    if (is_lost(there, back) && patch_of(face_a) == patch_of(face_b)) return 0u;
     // Of two objects the border of one on the other, and a crack between them, are seams.
     bool are_two = object_of(face_a) != object_of(face_b);
     bool goes_there = goes_on(there, q_at(p + to)), goes_back = goes_on(back, q_at(p));

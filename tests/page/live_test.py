@@ -329,6 +329,19 @@ class LiveTest(BrowserTest):
             self.assertGreater(ours.sum(), 200, method)
             self.assertLess((ours != theirs).sum(), 0.1 * ours.sum(), method)  # the edge is a quarter of the lines
 
+    def test_an_edge_of_many_faces_with_a_fin_that_no_sample_sees_is_a_line(self):
+        file, page = self.folder / "low_fin.obj", self.folder / "low_fin.html"
+        # Two squares that are flat, and where they meet a fin of a fifth of a pixel.
+        corners = [(x, y, z) for x, y in ((-1, 0), (0, 0), (1, 0), (0, 0.003)) for z in (0, 2)]
+        file.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "f 1 2 4 3\nf 3 4 6 5\nf 3 4 8 7\n")
+        eye = ["--eye", "0.4,3.7,4.3", "--target", "0,0,1"]
+        inkbench("page", file, "--size", "x".join(map(str, SIZE)), *eye, "-o", page)
+        self.open_live(page)
+        for method in ("surface_lookup", "chords"):
+            ours, theirs = self.drawn_by_program(file, method, *eye) > 0, self.drawn(method, self.script("return inkbench.views[0]"))
+            self.assertGreater(ours.sum(), 200, method)
+            self.assertLess((ours != theirs).sum(), 0.1 * ours.sum(), method)  # the edge is a sixth of the lines
+
     def test_lines_follow_a_model_that_moves(self):
         corners = [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         sides = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5]
