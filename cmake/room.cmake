@@ -21,16 +21,28 @@ function(ink_room name)
 endfunction()
 
 # Compiles the sources of TARGET so many at a time: headers are read, and templates made, once for all of them.
-# Kernels, which include themselves again for each kind of processor, stay alone. Preset `dev` compiles each by itself, where a
-# missing include is an error. So names without linkage differ within a room.
+# Preset `dev` compiles each by itself, where a missing include is an error. So names without linkage differ within a room.
 function(ink_use_units target count)
     if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
         return()
     endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
-    get_target_property(kernels ${target} SOURCES)
-    list(FILTER kernels INCLUDE REGEX "_kernel\\.cpp$")
-    set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# ink_kernels(ROOM NAME SOURCES...): sources that include themselves again for each kind of processor. They are one unit NAME,
+# since most of the work is to read Highway's headers, once for each kind. In preset `dev` each stands alone.
+function(ink_kernels room name)
+    set(sources ${ARGN})
+    if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        set(unit ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+        list(TRANSFORM sources REPLACE "(.+)" "#include \"${CMAKE_CURRENT_SOURCE_DIR}/\\1\"\n")
+        list(JOIN sources "" includes)
+        set(again "#undef HWY_TARGET_INCLUDE\n#define HWY_TARGET_INCLUDE \"${unit}\"\n")
+        file(CONFIGURE OUTPUT ${unit} CONTENT "${again}#include <hwy/foreach_target.h>\n${includes}${again}" @ONLY)
+        set(sources ${unit})
+    endif()
+    target_sources(ink_${room} PRIVATE ${sources})
+    set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # ink_test(ROOM SOURCES ... [ALONE ...] LINKS ... [SLOW NAME=FILTER...] [NIGHTLY NAME=FILTER...]): the tests of one room,

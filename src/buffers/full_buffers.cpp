@@ -10,8 +10,6 @@
 namespace ink::buffers {
 namespace {
 
-constexpr int kChannels = 4;  // depth, nx, ny, nz
-
 raster::PassFormat pass_format(const InputParams& params, int halo_px) {
     raster::PassFormat format;
     format.interpolants = kChannels;

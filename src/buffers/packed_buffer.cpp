@@ -7,8 +7,6 @@
 namespace ink::buffers {
 namespace {
 
-constexpr int kChannels = 4;  // depth, nx, ny, nz
-
 raster::PassFormat pass_format(const PackParams& params, const CodeLayout& layout) {
     raster::PassFormat format;
     const bool at_vertices = params.packing == Packing::vertex;

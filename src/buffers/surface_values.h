@@ -35,6 +35,8 @@ class LinearValues : public raster::CornerValues {
     bool reads_all_;
 };
 
+inline constexpr int kChannels = 4;  ///< depth, nx, ny, nz
+
 /// Depth as a DepthCarrier carries it, and the view-space normal: four values.
 class ChannelValues : public raster::CornerValues {
   public:

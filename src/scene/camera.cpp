@@ -28,11 +28,6 @@ glm::dvec3 near_unit(const glm::dvec3& v) {
     return {std::scalbn(v.x, down), std::scalbn(v.y, down), std::scalbn(v.z, down)};
 }
 
-/// How far along the view direction the middle of the ball lies.
-double middle_depth(const Camera& camera, const Sphere& bounds) {
-    return -(camera.view_from_world * (bounds.center_world - camera.eye_world)).z;
-}
-
 double radius_of(const Sphere& bounds) {
     return bounds.radius > 0 ? bounds.radius : 1.0;
 }
@@ -86,6 +81,10 @@ Camera look_at(const glm::dvec3& eye_world,
     camera.sight_world = near_unit(view_direction);
     camera.fov_y_rad = fov_y_rad;
     return camera;
+}
+
+double middle_depth(const Camera& camera, const Sphere& bounds) {
+    return -(camera.view_from_world * (bounds.center_world - camera.eye_world)).z;
 }
 
 void fit_clip_range(Camera& camera, const Sphere& bounds) {

@@ -67,6 +67,9 @@ struct View {
                              const glm::dvec3& up_world,
                              double fov_y_rad);
 
+/// How far along the view direction the middle of the ball lies.
+[[nodiscard]] double middle_depth(const Camera& camera, const Sphere& bounds);
+
 /// Sets near and far so that `bounds` fits between them: with d the depth of its centre along the
 /// view direction, far = d + radius, near = d - radius but at least 1e-4 radii, so that an eye
 /// inside the scene keeps what stands close to it (far is twice near if all of it lies behind the

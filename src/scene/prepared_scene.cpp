@@ -17,18 +17,18 @@ namespace {
 /// The worth of what takes no room worth mentioning: it stays.
 constexpr std::int64_t kSmall = std::numeric_limits<std::int64_t>::max();
 
-struct Kept {
-    std::shared_ptr<const void> result;
-    std::int64_t made_ns = 0;
-    std::int64_t worth_ns = 0;  ///< the least goes first
-};
-
 }  // namespace
 
 /// Which results go when there are too many: GreedyDual (N. Young, "The k-server dual and loose
 /// competitiveness for paging", 1994). What goes takes its worth from all that stay, by raising the
 /// level from which those asked for later count.
 struct PreparedScene::Results {
+    struct Kept {
+        std::shared_ptr<const void> result;
+        std::int64_t made_ns = 0;
+        std::int64_t worth_ns = 0;  ///< the least goes first
+    };
+
     std::size_t most = 0;
     std::mutex mutex;
     std::condition_variable is_made;
@@ -74,7 +74,7 @@ std::shared_ptr<const void> PreparedScene::find(const std::string& name) const {
         results.being_made.insert(name);
         return nullptr;
     }
-    Kept& kept = found->second;
+    Results::Kept& kept = found->second;
     saved_ns_ += kept.made_ns;
     kept.worth_ns = std::max(kept.worth_ns, results.level_ns + kept.made_ns);
     return kept.result;

@@ -35,7 +35,7 @@ std::vector<DiscRow> disc_rows(int diameter_px) {
     return rows;
 }
 
-std::uint8_t to_8_bit(float brightness) {
+std::uint8_t channel_to_8_bit(float brightness) {
     if (!(brightness > 0)) return 0;
     return brightness >= 1 ? 255 : static_cast<std::uint8_t>(brightness * 255 + 0.5F);
 }
@@ -121,7 +121,7 @@ core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& edge_responses,
 }
 
 Rgb to_8_bit(const glm::vec3& color) {
-    return {to_8_bit(color.r), to_8_bit(color.g), to_8_bit(color.b)};
+    return {channel_to_8_bit(color.r), channel_to_8_bit(color.g), channel_to_8_bit(color.b)};
 }
 
 core::Image<Rgb> compose(const core::Image<std::uint8_t>& edge_responses,

@@ -56,11 +56,6 @@ void orbit(Camera& camera, const glm::dvec3& center_world, double angle_rad) {
     camera.sight_world = {};
 }
 
-/// How far along the view direction the middle of the ball lies.
-double middle_depth(const Camera& camera, const Sphere& bounds) {
-    return -(camera.view_from_world * (bounds.center_world - camera.eye_world)).z;
-}
-
 double power(double base, int exponent) {
     double result = 1;
     for (int i = 0; i < exponent; ++i)
