@@ -38,13 +38,13 @@ struct Expansion {
     }
 };
 
-struct Split {
+struct Halves {
     double high;
     double low;
 };
 
 /// a + b = high + low exactly (Knuth; Shewchuk, theorem 7).
-Split two_sum(double a, double b) {
+Halves two_sum(double a, double b) {
     const double high = a + b;
     const double b_virtual = high - a;
     const double a_virtual = high - b_virtual;
@@ -52,7 +52,7 @@ Split two_sum(double a, double b) {
 }
 
 /// a * b = high + low exactly.
-Split two_product(double a, double b) {
+Halves two_product(double a, double b) {
     const double high = a * b;
     return {high, std::fma(a, b, -high)};
 }
@@ -63,7 +63,7 @@ void grow(Expansion& e, double b) {
     double q = b;
     const int size = std::exchange(e.size, 0);
     for (int i = 0; i < size; ++i) {
-        const Split s = two_sum(q, e.terms[static_cast<std::size_t>(i)]);
+        const Halves s = two_sum(q, e.terms[static_cast<std::size_t>(i)]);
         e.push(s.low);
         q = s.high;
     }
@@ -71,7 +71,7 @@ void grow(Expansion& e, double b) {
 }
 
 Expansion difference(double a, double b) {
-    const Split s = two_sum(a, -b);
+    const Halves s = two_sum(a, -b);
     Expansion e;
     e.push(s.low);
     e.push(s.high);
@@ -83,7 +83,7 @@ Expansion product(const Expansion& a, const Expansion& b) {
     Expansion result;
     for (int i = 0; i < a.size; ++i) {
         for (int j = 0; j < b.size; ++j) {
-            const Split p = two_product(a.terms[static_cast<std::size_t>(i)],
+            const Halves p = two_product(a.terms[static_cast<std::size_t>(i)],
                                         b.terms[static_cast<std::size_t>(j)]);
             grow(result, p.low);
             grow(result, p.high);
