@@ -84,7 +84,7 @@ Expansion product(const Expansion& a, const Expansion& b) {
     for (int i = 0; i < a.size; ++i) {
         for (int j = 0; j < b.size; ++j) {
             const Halves p = two_product(a.terms[static_cast<std::size_t>(i)],
-                                        b.terms[static_cast<std::size_t>(j)]);
+                                         b.terms[static_cast<std::size_t>(j)]);
             grow(result, p.low);
             grow(result, p.high);
         }
