@@ -1,16 +1,18 @@
 // The methods that the page draws. Each has its shader's file; here stands what a file cannot say.
 
+/// How large a pass draws, of a frame's size.
+const sizes = {
+    corners: (width, height) => [width + 1, height + 1],
+    cells: (width, height) => [width, height],
+    ways: (width, height) => [4 * Math.ceil(width / 8), Math.ceil(height / 4)],
+};
+
 /// `targets`: formats of the textures that the mesh is drawn into. `reads`: arrays of the mesh by the names
 /// that the shader has for them; without, it reads the tables of faces and points. `hasCorners`: samples are
 /// corners of pixels. `passes`: how often the mesh is drawn, with which uniforms and faces; once, both sides,
 /// unless it says otherwise. `steps`: sections that draw for the next one before the lines: what they `draw` by the name
 /// under which that reads it, and its format (`ofClasses` with classes); `by` which vertices, and how large of a frame's size.
 /// `linesBy`: vertices of the lines. `isInk`: lines are ink of any width. `hasClasses`: it can tell the classes of its lines.
-const sizes = {
-    corners: (width, height) => [width + 1, height + 1],
-    cells: (width, height) => [width, height],
-    ways: (width, height) => [4 * Math.ceil(width / 8), Math.ceil(height / 4)],
-};
 const METHODS = {
     chords: {
         targets: ['R32UI', 'R32UI'],

@@ -217,8 +217,7 @@ class Renderer {
         const units = this.bind(textures);
         setUniforms(gl, program, {...values, ...units});
         gl.bindVertexArray(this.empty);
-        if (by === 'spread') gl.enable(gl.BLEND);
-        gl.blendEquation(gl.MAX);
+        if (by === 'spread') gl.enable(gl.BLEND), gl.blendEquation(gl.MAX);
         const [width, height] = by === 'spread' ? sizes.ways(...values.size) : values.target_size ?? [];
         if (by === 'screen') gl.drawArrays(gl.TRIANGLES, 0, 3);
         else if (by === 'spread') gl.drawArrays(gl.TRIANGLES, 0, 3 * width * height);
