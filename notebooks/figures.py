@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Figures for papers from run folders: strips, buffers, error against time, classes, stress, LaTeX.
+"""Figures for papers from run folders: strips, error against time, classes, stress, LaTeX.
 
 As a program it writes every figure that the runs have data for, and figures.md with a caption for
 each. Notebooks call `show`. The figures themselves are in the package `paper` beside this file.
@@ -148,8 +148,6 @@ def parser():
     out.add_argument("--window", action="append", default=[], metavar="X,Y,W,H",
                      help="zoomed part of strips in pixels; may be given again (the window in "
                      "which methods' errors differ most)")
-    out.add_argument("--causes", action="store_true",
-                     help="wrong pixels in the colour of their cause, not in two colours")
     out.add_argument("--methods", metavar="A,B", help="these alone, in this order in strips")
     out.add_argument("--scenes", metavar="A,B", help="these alone, in this order in strips")
     out.add_argument("--tables-of-scenes", action="store_true",
@@ -194,7 +192,7 @@ def make(args):
     runs = Runs([RunFolder(path) for path in args.runs], args.methods, args.scenes,
                 args.views == "all", args.out if args.tables_of_scenes else None)
     style = Style(width_in=args.width_in, font_pt=args.font_pt, registry=runs.registry(),
-                  windows=args.windows, causes=args.causes)
+                  windows=args.windows)
     out = Path(args.out)
     try:
         out.mkdir(parents=True, exist_ok=True)

@@ -1,10 +1,9 @@
 """All figures, by the name of their files: what draws them, and in which order they stand."""
 
-from paper import axes, buffers, cost, latex, methods, strips
+from paper import axes, cost, latex, methods, strips
 
 FIGURES = {
     "strips": strips.strips,
-    "buffers": buffers.buffers,
     "error_time": cost.error_time,
     "classes": methods.classes,
     "verdict": latex.verdict,

@@ -1,4 +1,4 @@
-"""The images of a run folder: truth, what methods drew, their errors, their buffers.
+"""The images of a run folder: truth, what methods drew, their errors.
 
 `images/<scene>/<view>/` is written by `src/harness/images/view_images.h`, which says what each file holds.
 """
@@ -247,14 +247,3 @@ def shrunk(codes, size_px, rank):
     out = np.zeros((out_w, out_h), dtype=importance.dtype)
     np.maximum.at(out, np.arange(width) * out_w // width, rows.T)
     return by_rank[out.T]
-
-
-def averaged(image, size_px):
-    """A colour image in size_px (width, height), each pixel the mean of those that it covers."""
-    height, width = image.shape[:2]
-    out_w, out_h = min(size_px[0], width), min(size_px[1], height)
-    ys, xs = np.arange(height) * out_h // height, np.arange(width) * out_w // width
-    sums = np.zeros((out_h, out_w, 3))
-    np.add.at(sums, (ys[:, None], xs[None, :]), image)
-    counts = np.bincount(ys, minlength=out_h)[:, None] * np.bincount(xs, minlength=out_w)[None, :]
-    return np.rint(sums / counts[:, :, None]).astype(np.uint8)

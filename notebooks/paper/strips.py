@@ -9,8 +9,7 @@ from paper import images
 from paper.chart import Chart, Nothing
 from paper.runs import CLASSES, BadInput, counted, file_name, ms
 from paper.sheet import GRID_DPI, Sheet, colours_of, ink_table, text_width_px, wrapped_name
-from paper.style import (CAUSES, CLASS_COLOURS, FALSE, FALSE_CAUSES, INK, MISSING, MISSING_CAUSES,
-                         MIST, MM_PER_IN, PAPER)
+from paper.style import CLASS_COLOURS, FALSE, INK, MISSING, MIST, MM_PER_IN, PAPER
 
 USUAL_SCENES = 4        # of a run with more, evenly taken
 _LEAST_PANEL_MM = 19
@@ -21,18 +20,14 @@ _CLASS_RANK = np.array([0, 6, 5, 4, 3, 2, 0, 1])  # contour first; ignore before
 _CLASS_TABLE = colours_of([PAPER] + [CLASS_COLOURS[c] for c in CLASSES] + [PAPER, MIST])
 
 
-def mark_table(causes, hit=INK):
+def mark_table(hit=INK):
     """Colours of images.marks, by code."""
-    if causes:
-        wrong = [colour for _, colour in CAUSES.values()]
-    else:
-        wrong = [FALSE] * len(FALSE_CAUSES) + [MISSING] * len(MISSING_CAUSES)
-    return colours_of([PAPER, MIST, hit] + wrong)
+    return colours_of([PAPER, MIST, hit] + [FALSE] * len(images.FALSE_CODES) + [MISSING] * len(images.MISSING_CODES))
 
 
-def drawn_colours(drawing, codes, response, causes, hit=INK):
+def drawn_colours(drawing, codes, response, hit=INK):
     """What a drawing shows where its marks and responses are these: ink is grey wherever it is not wrong."""
-    colours = mark_table(causes, hit)[codes]
+    colours = mark_table(hit)[codes]
     if drawing.is_ink:
         is_grey = (codes == images.BLANK) | (codes == images.HIT)
         colours[is_grey] = ink_table(hit)[response[is_grey]]
@@ -66,12 +61,10 @@ def _chart(sheet, views, style, runs):
     height, width = views[0].labels.shape
     windows = "the windows given" if style.windows else \
         "the window in which the methods' errors differ most"
-    colours = "each wrong pixel in the colour of its cause" if style.causes else \
-        "missing and false pixels in two colours"
     caption = (
         f"The true outline by class of line, and what {counted(len(methods), 'method')} drew of "
         f"{', '.join(view.title for view in views)} ({width}x{height} px, cropped to the lines), "
-        f"{colours}. Below each: {windows}; grey pixels are drawn and right, outlined ones are true. "
+        f"missing and false pixels in two colours. Below each: {windows}; grey pixels are drawn and right, outlined ones are true. "
         "In the whole images a wrong pixel is drawn larger than it is, to be seen in print. F at "
         "2 px and the time of a frame are of this view. " + runs.source("rows.csv"))
     if any(drawing.is_ink for view in views for drawing in view.drawings):
@@ -107,27 +100,18 @@ def _sheet_of(views, style, runs):
             sheet.height_px += 2 * _GAP_PX
         _Band(sheet, view, style).draw(is_first=i == 0)
     sheet.height_px += _GAP_PX
-    sheet.key(_key_entries(views, style))
+    sheet.key(_key_entries(views))
     return sheet
 
 
-def _key_entries(views, style):
+def _key_entries(views):
     classes = np.unique(np.concatenate([np.unique(view.labels) for view in views]))
     entries = [(name, CLASS_COLOURS[name], False)
                for i, name in enumerate(CLASSES) if i + 1 in classes]
     if images.IGNORE in classes:
         entries.append(("does not count", MIST, False))
-    entries.append(("drawn, right", INK, False))
-    if style.causes:
-        codes = np.unique(np.concatenate(
-            [np.unique(d.errors) for view in views for d in view.drawings]))
-        for code, (label, colour) in enumerate(CAUSES.values(), 1):
-            kind = "false" if code in images.FALSE_CODES else "missing"
-            if code in codes:
-                entries.append((f"{kind}: {label.split(':')[0]}", colour, False))
-    else:
-        entries += [("missing", MISSING, False), ("false", FALSE, False)]
-    return entries + [("true pixel, enlarged", INK, True)]
+    return entries + [("drawn, right", INK, False), ("missing", MISSING, False), ("false", FALSE, False),
+                      ("true pixel, enlarged", INK, True)]
 
 
 class _Band:
@@ -200,7 +184,7 @@ class _Band:
         if pw > 1.2 * size[0]:
             small = _enlarged_errors(small)
         darkest = images.shrunk(drawing.response[part], size, np.arange(256))
-        return drawn_colours(drawing, small, darkest, self._style.causes)
+        return drawn_colours(drawing, small, darkest)
 
     def _marks(self, drawing):
         if drawing.method not in self._known:
@@ -231,8 +215,7 @@ class _Band:
         def colours():
             if drawing is None:
                 return _CLASS_TABLE[truth]
-            return drawn_colours(drawing, self._marks(drawing)[part], drawing.response[part],
-                                 self._style.causes, _HIT_IN_ZOOM)
+            return drawn_colours(drawing, self._marks(drawing)[part], drawing.response[part], _HIT_IN_ZOOM)
 
         def outline(ax):
             if drawing is not None:

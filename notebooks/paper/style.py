@@ -25,14 +25,6 @@ CLASS_COLOURS = {each["name"]: each["figure"] for each in VOCABULARY["classes"]}
 # Of differing lightness too, so that they are told apart in grey: drawn 14, false 33, missing 55.
 MISSING, FALSE = VOCABULARY["marks"]["missing"], VOCABULARY["marks"]["false"]
 
-# The causes of errors in the order of their codes in *.errors.png, 1 the first: column of rows.csv,
-# words, colour. `undeclared` is never in one image with other missing ones, and may come close to
-# them.
-CAUSES = {f"{cause['kind']}_{cause['name']}": (cause["short"], cause["figure"])
-          for cause in VOCABULARY["causes"]}
-FALSE_CAUSES = {c: look for c, look in CAUSES.items() if c.startswith("false_positives")}
-MISSING_CAUSES = {c: look for c, look in CAUSES.items() if c.startswith("false_negatives")}
-
 # A family in methods.csv: its word in legends, and its colour.
 FAMILIES = {each["name"]: (each["short"], each["figure"]) for each in VOCABULARY["families"]}
 OTHERS = FAMILIES["other"][0]
@@ -73,8 +65,7 @@ class Style:
 
     width_in: of the whole figure, kept exactly. font_pt: of names and numbers; nothing is smaller
     than 1 pt less. registry: methods.csv by method (Runs.registry). windows: of zoomed parts,
-    (x, y, width, height) in pixels; none: the window of most difference. causes: wrong pixels in
-    the colour of their cause.
+    (x, y, width, height) in pixels; none: the window of most difference.
     """
 
     width_in: float = 178 / MM_PER_IN
@@ -82,7 +73,6 @@ class Style:
     registry: pd.DataFrame = field(default_factory=lambda: pd.DataFrame(
         columns=["family", "marker", "preset_of"]))
     windows: list = field(default_factory=list)
-    causes: bool = False
 
     def __post_init__(self):
         self.small_pt = self.font_pt - 1

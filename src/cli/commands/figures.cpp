@@ -106,13 +106,13 @@ struct FiguresArgs : MeasureArgs {
         usual.compare.images = experiment::KeptImages::all;
     }
 
-    /// Of the script, which reads and checks them: by option, what was given; "" of a flag.
+    /// Of the script, which reads and checks them: by option, what was given.
     std::map<std::string, std::vector<std::string>> of_script;
 };
 
 struct ScriptOption {
     const char* name;
-    const char* unit;  ///< none of a flag
+    const char* unit;
     const char* doc;
 };
 // clang-format off
@@ -124,7 +124,6 @@ constexpr ScriptOption kScriptOptions[] = {
     {"--window", "X,Y,W,H",
      "Zoomed part of strips in pixels; may be given again (default: the one in which the "
      "methods' errors differ most)"},
-    {"--causes", nullptr, "Wrong pixels in the colour of their cause, not in two"},
     {"--only", "A,B",
      "These figures alone, as strips,error_time; figures.md names all (default: all)"}};
 // clang-format on
@@ -152,7 +151,7 @@ std::vector<std::string> script_options(const FiguresArgs& args) {
     std::vector<std::string> words = {"--out=" + args.folder.out};
     for (const auto& [option, texts] : args.of_script) {
         for (const std::string& text : texts)
-            words.push_back(text.empty() ? option : option + "=" + text);
+            words.push_back(option + "=" + text);
     }
     return words;
 }
@@ -265,15 +264,8 @@ void make_and_show(const FiguresArgs& args, const CLI::App& command) {
 
 void add_script_options(CLI::App& command, FiguresArgs& args) {
     CommandRows rows(command);
-    for (const auto& [name, unit, doc] : kScriptOptions) {
-        std::vector<std::string>& given = args.of_script[name];
-        if (unit != nullptr) {
-            rows.list(name, given, unit, doc);
-        } else {
-            command.add_flag_callback(
-                name, [&given] { given = {""}; }, doc);
-        }
-    }
+    for (const auto& [name, unit, doc] : kScriptOptions)
+        rows.list(name, args.of_script[name], unit, doc);
 }
 
 }  // namespace
