@@ -57,7 +57,7 @@ class RunFolder:
         self.path = Path(path)
         if not self.path.is_dir():
             raise BadInput(self.path, "there is no such folder", "the folder of a finished run")
-        if not self._file("rows.csv").is_file():
+        if not (self.path / "rows.csv").is_file():
             raise BadInput(self.path, "it holds no rows.csv", "the folder of a finished run")
         self.record = self._read_record()
         if self.record.get("progress", {}).get("state", "finished") == "unfinished":
@@ -94,7 +94,7 @@ class RunFolder:
         return None if frame is None else frame.copy()
 
     def _read(self, name):
-        path = self._file(name)
+        path = self.path / name
         if not path.is_file():
             return None
         frame = _read_csv(path)
@@ -102,14 +102,9 @@ class RunFolder:
             frame = frame[frame["study"] == "compare"]
         return frame.reset_index(drop=True) if len(frame) else None
 
-    def _file(self, name):
-        """A table as it is, or packed as experiments/publish does it."""
-        path, packed = self.path / name, self.path / (name + ".gz")
-        return packed if packed.is_file() and not path.is_file() else path
-
     def names(self, column):
         """All that rows.csv has in a column, baselines left out."""
-        rows = _read_csv(self._file("rows.csv"))
+        rows = _read_csv(self.path / "rows.csv")
         return [name for name in rows[column].unique() if name not in BASELINES]
 
 
@@ -117,7 +112,7 @@ def _read_csv(path):
     try:
         head = pd.read_csv(path, nrows=0)
         return pd.read_csv(path, low_memory=False, dtype={c: str for c in _TEXTS if c in head})
-    except (OSError, EOFError, ValueError, pd.errors.ParserError) as error:
+    except (OSError, ValueError) as error:
         raise BadInput(path, f"it is not the table it should be ({error})",
                        "as inkbench wrote it") from error
 

@@ -1,13 +1,9 @@
 #include "experiment/run_data.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -27,36 +23,6 @@ namespace ink::experiment {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a gzip file holds (experiments/publish packs long tables so); nothing if there is none.
-///
-/// Throws core::Error (where = the path) for a file that is cut short or no gzip file.
-std::optional<std::string> read_gzip_file(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path)) return std::nullopt;
-    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-    std::string text;
-    std::array<char, 1 << 16> part{};
-    int count = file ? gzread(file.get(), part.data(), part.size()) : -1;
-    // zlib hands on what is no gzip file as it is.
-    const bool is_packed = file && gzdirect(file.get()) == 0;
-    while (is_packed && count > 0) {
-        text.append(part.data(), static_cast<std::size_t>(count));
-        count = gzread(file.get(), part.data(), part.size());
-    }
-    int problem = Z_OK;
-    if (file) gzerror(file.get(), &problem);
-    if (count < 0 || !is_packed || problem != Z_OK) {
-        throw core::Error(path.string(), "it is no whole gzip file", "a table as it was packed");
-    }
-    return text;
-}
-
-/// A table as it is, or packed; nothing if there is neither.
-std::optional<std::string> read_table(const fs::path& path) {
-    if (auto text = core::read_whole_file(path)) return text;
-    fs::path packed = path;
-    return read_gzip_file(packed += ".gz");
-}
 
 /// Worked out anew only where the run has no tables of it, or those of another version.
 summary::Comparison comparison_of(const RunData& run) {
@@ -162,7 +128,7 @@ RunData read_run(const fs::path& folder) {
                 std::erase(run.record.missing_blocks, kept->key);
     } else {
         for (const RecordedTable& table : record->tables) {
-            auto text = read_table(folder / table.name);
+            auto text = core::read_whole_file(folder / table.name);
             if (!text) {
                 throw core::Error(
                     (folder / table.name).string(), "it cannot be read", "a table of a run folder");
@@ -171,7 +137,8 @@ RunData read_run(const fs::path& folder) {
         }
         for (const core::TableInfo& table : dictionary()) {
             if (texts.contains(table.file) || table.file == "run.toml") continue;
-            if (auto text = read_table(folder / table.file)) texts[table.file] = *std::move(text);
+            if (auto text = core::read_whole_file(folder / table.file))
+                texts[table.file] = *std::move(text);
         }
     }
     run.csv = split_tables(texts, folder);
