@@ -11,10 +11,6 @@ from model_files import read_obj
 from program import DESK, WRITE_SCENE
 
 
-def names():
-    return subprocess.run([WRITE_SCENE], capture_output=True, text=True, check=True).stdout.split()
-
-
 def load(name, width_px=640, height_px=360):
     """The scene, points rounded to float32, and its first camera."""
     path = Path(DESK.name) / f"{name}.obj"

@@ -22,13 +22,7 @@ class Change:
     pose: str
     truth_px: int  # pixels with a label before
     changed_px: int  # pixels whose label differs
-    image_px: int
     lengths_px: dict  # class name: (before, after), where they differ by over 1 px and .1 %
-
-    @property
-    def share(self):
-        """Of the truth's pixels."""
-        return self.changed_px / max(1, self.truth_px)
 
     @property
     def is_same(self):
@@ -37,9 +31,7 @@ class Change:
     def __str__(self):
         lengths = ", ".join(f"{name} {a:.0f} -> {b:.0f} px"
                             for name, (a, b) in self.lengths_px.items())
-        return (f"{self.scene:<18} {self.pose:<13} {self.changed_px:>6} of {self.truth_px:>6} "
-                f"truth px {100 * self.share:>7.3f} %, of the image "
-                f"{100 * self.changed_px / self.image_px:.4f} %"
+        return (f"{self.scene:<18} {self.pose:<13} {self.changed_px:>6} of {self.truth_px:>6} truth px"
                 + (f" ({lengths})" if lengths else ""))
 
 
@@ -67,8 +59,7 @@ def compare(scene, pose, before, after):
         changed = round(lost + new)
     else:
         changed = int(np.count_nonzero(before.labels != after.labels))
-    return Change(scene, pose, truth_px, changed, before.labels.size,
-                  _lengths(before.outline, outline))
+    return Change(scene, pose, truth_px, changed, _lengths(before.outline, outline))
 
 
 def changes(scene, mesh, camera, poses, seed, crease_deg=40):

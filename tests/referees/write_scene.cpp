@@ -1,6 +1,5 @@
 // Writes a catalogue scene as OBJ, for tests that are to share nothing with the program but a file.
 //
-//     write_scene                 prints the scenes' names
 //     write_scene NAME FILE.obj   writes it, an `o` for each instance; prints its first camera
 
 #include <fmt/format.h>
@@ -50,11 +49,7 @@ void print_camera(const ink::scene::Camera& camera) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        for (const auto& entry : ink::catalogue::catalogue())
-            fmt::print("{}\n", entry.name);
-        return 0;
-    }
+    if (argc != 3) return 2;
     try {
         const Scene scene = ink::catalogue::make_catalogue_scene(argv[1]);
         std::ofstream file(argv[2]);
