@@ -2,6 +2,7 @@
 
 import importlib.machinery
 import importlib.util
+import json
 import os
 import subprocess
 import sys
@@ -60,6 +61,13 @@ def export_view(scene, size, folder, projection="perspective"):
     if done.returncode != 0:
         raise RuntimeError(done.stdout + done.stderr)
     return next(Path(folder).rglob("camera.json"))
+
+
+def read_glb(path):
+    """The JSON of a .glb and its bytes."""
+    data = path.read_bytes()
+    json_bytes = int.from_bytes(data[12:16], "little")
+    return json.loads(data[20:20 + json_bytes]), data[28 + json_bytes:]
 
 
 def scratch():

@@ -14,10 +14,9 @@ from typing import NamedTuple
 
 import adapters
 
-sys.path[:0] = [str(adapters.ROOT / "tests" / "page"), str(adapters.OUTSIDE), str(adapters.OUTSIDE / "webgl")]
+sys.path[:0] = [str(adapters.ROOT / "tests" / "page"), str(adapters.OUTSIDE / "webgl")]
 
 import browser  # noqa: E402
-import glb  # noqa: E402
 import webgl  # noqa: E402
 
 SIZE = "640x360"
@@ -157,7 +156,7 @@ def with_camera(model, eye, target, file):
     """Writes a GLB again with a camera that looks from one place at another, y up."""
     import numpy
 
-    gltf, data = glb.read_chunks(model)
+    gltf, data = adapters.read_glb(model)
     back = numpy.subtract(eye, target) / numpy.linalg.norm(numpy.subtract(eye, target))
     right = numpy.cross([0, 1, 0], back) / numpy.linalg.norm(numpy.cross([0, 1, 0], back))
     columns = [[*right, 0], [*numpy.cross(back, right), 0], [*back, 0], [*eye, 1]]

@@ -17,9 +17,7 @@ HARD = 2  # a mark of EXT_mesh_primitive_edge_visibility
 
 def marked_length(path):
     """The length of all edges of a .glb that are marked as hard."""
-    data = path.read_bytes()
-    json_bytes = int.from_bytes(data[12:16], "little")
-    gltf, binary = json.loads(data[20:20 + json_bytes]), data[28 + json_bytes:]
+    gltf, binary = adapters.read_glb(path)
 
     def numbers(accessor, kind):
         view = gltf["bufferViews"][gltf["accessors"][accessor]["bufferView"]]

@@ -1,4 +1,9 @@
-"""The shaders of methods in WebGL 2, drawn by the page that `inkbench page` makes, in a headless Chromium."""
+#!/usr/bin/python3 -B
+"""Shaders of methods in WebGL 2 as entrants: webgl_NAME view.json out.png, where webgl_NAME is a link to this file.
+
+The page of `inkbench page` draws the view's mesh in a headless Chromium. Its clock holds the mesh and the lines of a frame,
+by many frames in a row on software GL, up to reading back a pixel.
+"""
 
 import os
 import shutil
@@ -8,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE.parent / "three")]
+sys.path.insert(0, str(HERE.parent))
 
 import browser  # noqa: E402
 from entrant import Absent, Failed, find_program, run_adapter  # noqa: E402
@@ -43,5 +48,6 @@ def draw(method, view, is_mask, width_px=1):
         return browser.drawn_by_page("the page", chromium, page, view, switches)
 
 
-def run(method):
-    run_adapter(lambda view, is_mask: draw(method, view, is_mask))
+if __name__ == "__main__":
+    name = Path(sys.argv[0]).name.removeprefix("webgl_")
+    run_adapter(lambda view, is_mask: draw(name, view, is_mask))

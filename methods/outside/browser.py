@@ -3,18 +3,15 @@
 import subprocess
 import tempfile
 import threading
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
 
 import numpy
-from entrant import Absent, Failed, find_program, store
+from entrant import Failed
 
-HERE = Path(__file__).resolve().parent
-THREE = "three-0.160.0"
 LONGEST_S = 600
 SOFTWARE_GL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-TYPES = {".html": "text/html", ".js": "text/javascript", ".json": "application/json"}
 
 
 class Answer:
@@ -30,21 +27,12 @@ class Answer:
 def handler_for(folders, files, answer):
     """Serves the files of some folders, by the first part of an address, and takes the answer."""
 
-    class Handler(BaseHTTPRequestHandler):
-        def do_GET(self):
-            _, first, *rest = urlsplit(self.path).path.split("/")
-            path = files.get(f"{first}/{'/'.join(rest)}")
-            if path is None and first in folders and ".." not in rest:
-                path = folders[first].joinpath(*rest)
-            if path is None or not path.is_file():
-                self.send_error(404)
-                return
-            body = path.read_bytes()
-            self.send_response(200)
-            self.send_header("Content-Type", TYPES.get(path.suffix, "application/octet-stream"))
-            self.send_header("Content-Length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
+    class Handler(SimpleHTTPRequestHandler):
+        def translate_path(self, path):
+            address = urlsplit(path).path.removeprefix("/")
+            first, _, rest = address.partition("/")
+            named = files.get(address) or folders.get(first, Path("/nowhere")).joinpath(*rest.split("/"))
+            return "/nowhere" if ".." in address else str(named)
 
         def do_POST(self):
             body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
@@ -103,17 +91,3 @@ def drawn_by_page(what, chromium, page, view, switches):
         raise Failed(f"{what}: {answer.failure[:180]}")
     width, height = view.size_px
     return numpy.frombuffer(answer.pixels, numpy.uint8).reshape(height, width), answer.draw_ms
-
-
-def render(adapter, folder, view, is_mask):
-    """The image that the pass.js of `folder` draws with three.js, and the milliseconds by its clock.
-
-    Raises Absent without Chromium or three.js, Failed if the page does not draw.
-    """
-    chromium = find_program("chromium", adapter)
-    three = store() / THREE
-    if not (three / "build" / "three.module.js").exists():
-        raise Absent(f"{THREE} is not in {three} (methods/outside/install {adapter})")
-    address = f"adapter/page.html?what={'mask' if is_mask else 'lines'}&pass=pass.js"
-    page = (address, {"three": three, "adapter": HERE, "pass": folder}, {"view/mesh.glb": view.file("glb")})
-    return drawn_by_page("three.js", chromium, page, view, SOFTWARE_GL)
