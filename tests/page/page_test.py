@@ -7,7 +7,7 @@ import sys
 import unittest
 from random import Random
 
-from browser import BrowserTest, Keys, Select, inkbench, webdriver
+from browser import BrowserTest, Select, inkbench, webdriver
 
 
 def median(values):
@@ -54,8 +54,8 @@ class PageTest(BrowserTest):
             self.assertNotIn(nonsense, words)
         self.assertGreater(len(self.script("return sections.filter(s => !s.node.hidden)")), 8)
 
-    def tables(self, name):
-        with open(self.folder / "seven" / name, newline="") as file:
+    def table(self, name, run="seven"):
+        with open(self.folder / run / name, newline="") as file:
             return list(csv.DictReader(file))
 
     INTERVALS = """
@@ -69,12 +69,12 @@ class PageTest(BrowserTest):
         shown = self.script(self.INTERVALS)
         keys = ["f"] + [f"recall_{name}" for name in self.script("return RECALL_GROUPS")]
         ends_of = lambda line, *ends: [float(line[end]) if line[end] else None for end in ends]
-        for line in self.tables("summary.csv"):
+        for line in self.table("summary.csv"):
             for key, interval in zip(keys, shown[line["method"]]):
                 with self.subTest(method=line["method"], key=key):
                     ends = [interval["low"], interval["high"]] if interval else [None, None]
                     self.assertEqual(ends, ends_of(line, f"{key}_lo", f"{key}_hi"))
-        for line in self.tables("differences.csv"):
+        for line in self.table("differences.csv"):
             with self.subTest(pair=(line["method"], line["other"])):
                 shown = self.script(
                     "const d = currentView().differenceOf(...arguments); return [d.value, d.range.low, d.range.high,"
@@ -87,8 +87,8 @@ class PageTest(BrowserTest):
 
     def test_sums_under_filters_are_those_of_the_rows_to_the_last_digit(self):
         self.open(self.folder / "seven" / "report.html")
-        self.check_sums({}, self.tables("rows.csv"))
-        rows = [row for row in self.tables("rows.csv") if row["study"] == "compare"]
+        self.check_sums({}, self.table("rows.csv"))
+        rows = [row for row in self.table("rows.csv") if row["study"] == "compare"]
         random = Random(7)
         values = {name: sorted({row[name] for row in rows}) for name in ("scene", "split", "scene_kind", "method")}
         for _ in range(200):
@@ -159,7 +159,7 @@ class PageTest(BrowserTest):
         self.assertEqual(self.script("return window.copied"), lines)
 
     def check_winner(self, first, rest):
-        lines = {line["answer"]: line for line in self.tables("summary.csv")}
+        lines = {line["answer"]: line for line in self.table("summary.csv")}
         winner = lines.get("answer") or lines["both"]
         self.assertEqual(winner["method"], first.split(" ")[0])
         self.assertEqual(self.script("return currentView().answer.method.method"), winner["method"])
@@ -188,12 +188,6 @@ class PageTest(BrowserTest):
         for value in (0.8125, 0.1875, 0.0625, 0.9375, 0.0005, 0.9995, 0.5, 1.0):
             self.assertEqual(self.script("return formatShare(arguments[0])", value), f"{value:.3f}")
 
-    def test_a_budget_under_the_fastest_says_what_it_takes(self):
-        self.open(address="#budget=0.0001")
-        fastest = self.script("return currentView().contestants.reduce((a, b) => a.ms < b.ms ? a : b)")
-        self.assertIn(f"none is faster than {self.script('return formatMs(arguments[0])', fastest['ms'])} ms "
-                      f"({fastest['method']})", self.find("h1").text)
-
     def test_few_scenes_have_no_interval(self):
         self.open()
         self.assertIn("3 scenes are too few for an interval; better on ", self.find(".lead").text)
@@ -213,8 +207,7 @@ class PageTest(BrowserTest):
         shown = self.script(
             "return currentView().summaries.map(s => [s.method, s.value, s.f_1px, s.precision,"
             " s.recall, s.macro, s.train, s.heldout, s.real, s.ms])")
-        with open(self.folder / "before" / "summary.csv", newline="") as file:
-            lines = {line["method"]: line for line in csv.DictReader(file)}
+        lines = {line["method"]: line for line in self.table("summary.csv", "before")}
         self.assertEqual({line[0] for line in shown}, set(lines))
         keys = ["f_2px", "f_1px", "precision", "recall", "f_macro", "f_train", "f_heldout", "f_real",
                 "draw_ms"]
@@ -238,16 +231,14 @@ class PageTest(BrowserTest):
                          "soft_f")
         heads = [head.text for head in self.find_all("#verdict thead tr:last-child th")]
         self.assertEqual([heads[1][:6], heads.count("F at 2 px")], ["soft F", 1])
-        with open(self.folder / "ink" / "summary.csv", newline="") as file:
-            lines = {line["method"]: line for line in csv.DictReader(file)}
+        lines = {line["method"]: line for line in self.table("summary.csv", "ink")}
         shown = self.script("return currentView().summaries.map(s => [s.method, s.value, s.f_2px, s.macro, s.range?.low])")
         for method, *values in shown:
             for key, value in zip(("soft_f", "f_2px", "soft_macro", "soft_lo"), values):
                 self.assertAlmostEqual(value, float(lines[method][key]), places=7, msg=(method, key))
-        with open(self.folder / "ink" / "soft_differences.csv", newline="") as file:
-            for line in csv.DictReader(file):
-                self.assertEqual(self.script("return currentView().differenceOf(...arguments).value", line["method"], line["other"]),
-                                 float(line["difference"]))
+        for line in self.table("soft_differences.csv", "ink"):
+            self.assertEqual(self.script("return currentView().differenceOf(...arguments).value", line["method"], line["other"]),
+                             float(line["difference"]))
         Select(self.find("select[aria-label=Measure]")).select_by_value("f_2px")
         self.wait(lambda: "ink" not in self.find("h1").text)
         self.assertEqual(self.address(), "#measure=f_2px")
@@ -266,8 +257,7 @@ class PageTest(BrowserTest):
 
     def test_ink_under_a_filter_is_summed_from_the_rows(self):
         self.open(self.folder / "ink" / "report.html", "#scenes=cube,gear")
-        with open(self.folder / "ink" / "rows.csv", newline="") as file:
-            rows = [row for row in csv.DictReader(file) if row["study"] == "compare" and row["scene"] in ("cube", "gear")]
+        rows = [row for row in self.table("rows.csv", "ink") if row["study"] == "compare" and row["scene"] in ("cube", "gear")]
         for method, value in self.script("return currentView().summaries.map(s => [s.method, s.value])"):
             own = [row for row in rows if row["method"] == method and row["status"] == "ok"]
             of = lambda name: sum(float(row[f"ink_{name}_px"]) for row in own)
@@ -369,14 +359,11 @@ class PageTest(BrowserTest):
 
     # ---- Pointer, viewer, charts -----------------------------------------------------------
 
-    def hover(self, element):
-        self.script("arguments[0].scrollIntoView({block: 'center'})", element)
-        webdriver.ActionChains(self.browser).move_to_element(element).perform()
-
     def test_pointer_on_a_point_shows_its_image_and_a_click_blinks_the_truth(self):
         self.open(part="time")
         point = self.find('#time .point[data-method="ids"]')
-        self.hover(point)
+        self.script("arguments[0].scrollIntoView({block: 'center'})", point)
+        webdriver.ActionChains(self.browser).move_to_element(point).perform()
         self.wait(lambda: self.script("return card.node && !card.node.hidden"))
         self.assertIn("ids", self.find(".card-head").text)
         self.wait(lambda: self.script("return !card.canvas.hidden && card.canvas.width > 10"))
@@ -387,20 +374,6 @@ class PageTest(BrowserTest):
         self.assertIn("the truth", seen)
         self.find(".card button.main").click()
         self.wait(lambda: "right=ids" in self.address())
-
-    def test_pointer_on_a_cell_shows_its_image(self):
-        self.open(part="scenes")
-        self.hover(self.find("#scenes tbody td.answers:last-child"))
-        self.wait(lambda: self.script("return card.node && !card.node.hidden"))
-
-    def test_slider_moves_the_divider(self):
-        self.open(part="pictures")
-        self.wait(lambda: self.find("canvas.stage").get_attribute("data-drawn"))
-        self.assertEqual(self.find("canvas.stage").get_attribute("data-cut"), "0.500")
-        slider = self.find("#divider")
-        for _ in range(10):
-            slider.send_keys(Keys.ARROW_LEFT)
-        self.assertEqual(self.find("canvas.stage").get_attribute("data-cut"), "0.490")
 
     def test_viewer_shows_errors_in_colour(self):
         self.open(address="#right=mote4&scene=cube", part="pictures")

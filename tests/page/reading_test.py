@@ -7,7 +7,7 @@ import sys
 import unittest
 
 from access import faults
-from browser import BrowserTest, Keys, Select, give_times, inkbench, webdriver
+from browser import BrowserTest, Keys, give_times, inkbench, webdriver
 from ink import settle
 
 # No two are alike: what is cheapest has one name.
