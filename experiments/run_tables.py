@@ -14,19 +14,17 @@ def refuse(message):
     print(message, file=sys.stderr)
     raise SystemExit(2)
 
-def words_of(page, least=1, most=None):
-    """The words of the command line; exit code 2 and the page where they are too few or too many."""
+def words_of(page, least=1):
+    """The words of the command line; exit code 2 and the page where they are too few."""
     words = sys.argv[1:]
-    if not least <= len(words) <= (most or len(words)):
-        refuse(page.strip())
-    return words
+    return words if len(words) >= least else refuse(page.strip())
 
-def read(folder, *names, by="compare"):
-    """These tables of a run folder that `inkbench BY` wrote; exit code 2 where it has them not."""
+def read(folder, *names):
+    """These tables of a run folder; exit code 2 where it has them not."""
     try:
         return [pd.read_csv(Path(folder) / name) for name in names]
     except (OSError, ValueError) as reason:
-        refuse(f"{folder}: {reason} (accepted: a folder that inkbench {by} wrote)")
+        refuse(f"{folder}: {reason} (accepted: a folder that inkbench compare wrote)")
 
 def compared(program, *words):
     """The scored rows of `inkbench compare` with these words, without times, sweeps, checks and images."""
@@ -41,9 +39,9 @@ def scored(rows, without=("none", "oracle")):
     """The rows that have a score, but for some methods."""
     return rows[(rows.status == "ok") & ~rows.method.isin(without)]
 
-def pooled_f(counts, k="k_2px"):
+def pooled_f(counts):
     """F at 2 px of summed counts: a number, or one a line."""
-    return 2 * counts[k] / (counts.n_pred + counts.n_truth)
+    return 2 * counts.k_2px / (counts.n_pred + counts.n_truth)
 
 def print_heads(texts, numbers):
     """The two lines above a table in Markdown."""

@@ -1,9 +1,7 @@
 """Figures as files: each whole or not at all, the same bytes for the same rows."""
 
+import contextlib
 import io
-import os
-import tempfile
-from pathlib import Path
 
 from paper.runs import BadInput
 
@@ -25,24 +23,12 @@ def encode(figure, kind, dpi=PNG_DPI):
 
 def write_whole(path, content):
     """Writes bytes or text so that the file is there whole or not at all; BadInput if it fails."""
-    path = Path(path)
-    content = content.encode("utf-8") if isinstance(content, str) else content
-    name = None
+    part = path.with_name(path.name + ".part")
     try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=path.name, suffix=".part",
-                                         delete=False) as file:
-            name = file.name
-            file.write(content)
-        os.chmod(name, 0o666 & ~_umask())
-        os.replace(name, path)
+        part.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+        part.replace(path)
     except OSError as error:
-        if name is not None and os.path.exists(name):
-            os.unlink(name)
+        with contextlib.suppress(OSError):
+            part.unlink()
         raise BadInput(path, f"it cannot be written ({error.strerror})",
                        "a folder that can be written, with room") from error
-
-
-def _umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
