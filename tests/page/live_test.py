@@ -13,8 +13,11 @@ from access import faults
 from browser import PROGRAM, BrowserTest, Keys, TimeoutException, inkbench, skip, webdriver
 from controls import controls, work
 
+sys.path.append(str(Path(__file__).parents[1] / "referees"))
+
 try:
     import numpy
+    from gltf_files import Glb
     from PIL import Image
 except ImportError:
     skip("python3-numpy or python3-pil is not installed")
@@ -339,23 +342,16 @@ class LiveTest(BrowserTest):
     def test_lines_follow_a_model_that_moves(self):
         corners = [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         sides = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5]
-        parts = [numpy.array(corners, "f4"), numpy.array([[0.5 * y, 0.7 * y, 0] for _, y, _ in corners], "f4"),
-                 numpy.array(sides, "u4"), numpy.array([0, 1], "f4"), numpy.array([0, 1], "f4")]
-        data, at = b"".join(part.tobytes() for part in parts), numpy.cumsum([0, *[part.nbytes for part in parts]])
-        kinds = [(5126, 8, "VEC3"), (5126, 8, "VEC3"), (5125, 36, "SCALAR"), (5126, 2, "SCALAR"), (5126, 2, "SCALAR")]
-        bounds = [{"min": [0, 0, 0], "max": [1, 1, 1]}, {"min": [0, 0, 0], "max": [0.5, 0.7, 0]}, {}, {"min": [0], "max": [1]}, {}]
-        model = {
-            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "targets": [{"POSITION": 1}]}],
-                        "weights": [0]}],
-            "animations": [{"samplers": [{"input": 3, "output": 4}],
-                            "channels": [{"sampler": 0, "target": {"node": 0, "path": "weights"}}]}],
-            "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
-            "bufferViews": [{"buffer": 0, "byteOffset": int(a), "byteLength": int(b - a)} for a, b in zip(at, at[1:])],
-            "accessors": [{"bufferView": i, "componentType": kind, "count": count, "type": shape, **bounds[i]}
-                          for i, (kind, count, shape) in enumerate(kinds)]}
-        file = self.folder / "bent.gltf"
-        file.write_text(json.dumps(model))
+        glb, file = Glb(), self.folder / "bent.glb"
+        bend = glb.accessor(numpy.array([[0.5 * y, 0.7 * y, 0] for _, y, _ in corners], "f4"))
+        glb.put("meshes", {"weights": [0], "primitives": [
+            {"attributes": {"POSITION": glb.accessor(numpy.array(corners, "f4"))}, "indices": glb.accessor(numpy.array(sides, "u4")),
+             "targets": [{"POSITION": bend}]}]})
+        glb.put("nodes", {"mesh": 0})
+        times = glb.accessor(numpy.array([0, 1], "f4"))
+        glb.put("animations", {"samplers": [{"input": times, "output": times}],
+                               "channels": [{"sampler": 0, "target": {"node": 0, "path": "weights"}}]})
+        glb.write(file, scenes=[{"nodes": [0]}])
         eye = ["--eye", "2.5,2,4", "--target", "0.6,0.8,0.5"]
         view = self.open_model(file, *eye)
         rest = self.ink_of("chords", view)

@@ -3,8 +3,8 @@
 import contextlib
 import csv
 import io
-import json
 import re
+import sys
 import tempfile
 import time
 import unittest
@@ -14,6 +14,9 @@ from program import SIZE, SOURCE, read_gray, run, sentence
 
 import inkbench
 import numpy as np
+
+sys.path.append(str(SOURCE / "tests/referees"))
+from gltf_files import Glb  # noqa: E402
 
 CAMERA = inkbench.Camera((3, 2, 5), (0.1, 0, 0), up=np.array([0, 1, 0.5]), fov_deg=30, size=(320, 180))
 AS_OPTIONS = ("--eye", "3,2,5", "--target", "0.1,0,0", "--up", "0,1,0.5", "--fov", "30", "--size", "320x180")
@@ -225,23 +228,15 @@ class Compare(unittest.TestCase):
 
     def moving(self):
         """A triangle with two animations, `rise` and `slide`."""
-        triangle = np.float32([0, 0, 0, 1, 0, 0, 0, 1, 0])
-        parts = [triangle, np.float32([0, 1]), np.float32([0, 0, 0, 0, 0.3, 0]), np.float32([0, 0, 0, 0.3, 0, 0])]
-        ends = np.cumsum([part.nbytes for part in parts])
-        move = {"node": 0, "path": "translation"}
-        gltf = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-                "animations": [{"name": name, "samplers": [{"input": 1, "output": output}],
-                                "channels": [{"sampler": 0, "target": move}]}
-                               for name, output in (("rise", 2), ("slide", 3))],
-                "buffers": [{"byteLength": int(ends[-1]), "uri": "moving.bin"}],
-                "bufferViews": [{"buffer": 0, "byteOffset": int(end) - part.nbytes, "byteLength": part.nbytes}
-                                for part, end in zip(parts, ends)],
-                "accessors": [{"bufferView": i, "componentType": 5126, "count": count, "type": kind}
-                              for i, (count, kind) in enumerate([(3, "VEC3"), (2, "SCALAR"), (2, "VEC3"), (2, "VEC3")])]}
-        (self.folder / "moving.bin").write_bytes(b"".join(part.tobytes() for part in parts))
-        path = self.folder / "moving.gltf"
-        path.write_text(json.dumps(gltf), encoding="utf-8")
+        glb, path = Glb(), self.folder / "moving.glb"
+        triangle = np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+        glb.put("meshes", {"primitives": [{"attributes": {"POSITION": glb.accessor(triangle)}}]})
+        glb.put("nodes", {"mesh": 0})
+        times = glb.accessor(np.float32([0, 1]))
+        for name, end in (("rise", [0, 0.3, 0]), ("slide", [0.3, 0, 0])):
+            glb.put("animations", {"name": name, "samplers": [{"input": times, "output": glb.accessor(np.float32([[0, 0, 0], end]))}],
+                                   "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]})
+        glb.write(path, scenes=[{"nodes": [0]}])
         return path
 
 
