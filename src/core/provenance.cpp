@@ -37,7 +37,6 @@ Provenance collect() {
         {"openimageio", build_info::kOpenImageIO},
         {"onetbb", TBB_runtime_version()},
         {"highway", highway_version()},
-        {"assimp", build_info::kAssimp},
         {"fmt",
          fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
         {"glm",

@@ -135,10 +135,6 @@ void check_reply(const ImportReply& reply, const ImportLimits& limits, const Com
             complain("is not a kind of model file that can be read", std::string(kReadEndings));
         case ImportStatus::wrong_content:
             complain("its content is not what its extension says, nor any other model", kWholeFile);
-        case ImportStatus::not_readable:
-            complain(fmt::format("cannot be read as a model; Assimp says \"{}\"",
-                                 printable(reply.reason, kMostReasonChars)),
-                     kWholeFile);
         case ImportStatus::damaged:
             complain("is damaged; " + printable(reply.reason, kMostReasonChars));
         case ImportStatus::refused:

@@ -67,8 +67,7 @@ struct ImportedModel {
 /// are printable; those of cameras are distinct and fit for file names. A camera that looks nowhere
 /// is left out. The scene's split is `real`. It stands as the file has it at rest, or in its first
 /// frame; `animation` holds what moves: stored frames, or the chosen animation's keys on nodes,
-/// bones and the cameras on those nodes. A .3ds camera's eye and target move by their own keys,
-/// blended straight; its roll and lens stay, and so does a camera that hangs on an object there.
+/// bones and the cameras on those nodes.
 ///
 /// Throws Error with where = the path, in one line: no such file, not a regular file, not readable,
 /// empty, not a model, of an unknown kind, shorter or poorer than its own header says, no triangle,

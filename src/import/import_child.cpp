@@ -1,8 +1,8 @@
 // inkbench_import FILE [ANIMATION [texcoords]]: reads one model and writes it to standard output as
 // a scene stream.
 //
-// A program of its own because Assimp may crash, hang or eat memory on a damaged file; the parent
-// (import.cpp) sets the limits before it starts this one.
+// A program of its own because a reader, or a library that it uses, may crash, hang or eat memory
+// on a damaged file; the parent (import.cpp) sets the limits before it starts this one.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -22,11 +21,8 @@
 
 #include "core/error.h"
 #include "import/animation_choice.h"
-#include "import/assimp/assimp_reader.h"
-#include "import/assimp/dae_file.h"
 #include "import/fbx/fbx_reader.h"
 #include "import/gltf/gltf_reader.h"
-#include "import/lost_digits.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/model_bytes.h"
 #include "import/other_formats.h"
@@ -42,6 +38,12 @@ void provoke_fault(const std::string& path, int output_fd);  // tests/import/imp
 #endif
 
 namespace {
+
+ImportReply reply_of(ImportStatus status) {
+    ImportReply reply;
+    reply.status = status;
+    return reply;
+}
 
 bool is_ply(std::string_view file) {
     return file.starts_with("ply\n") || file.starts_with("ply\r") || file.starts_with("ply ");
@@ -83,11 +85,8 @@ std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path, boo
     if (reader == read_stl && is_binary_stl(file)) return reader(file, name);
     refuse_by_content(head);
     if (is_utf16(file)) throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
-    if (reader == read_obj_alone && head.find('\0') != head.npos) {
-        ImportReply reply;
-        reply.status = ImportStatus::wrong_content;
-        return reply;
-    }
+    if (reader == read_obj_alone && head.find('\0') != head.npos)
+        return reply_of(ImportStatus::wrong_content);
     if (reader == read_obj_alone)
         return read_obj(without_mark(file), name, beside(path), has_texcoords);
     return reader(without_mark(file), name);
@@ -99,14 +98,13 @@ struct LengthField {
     std::size_t offset;
 };
 constexpr std::array kLengthFields{
-    LengthField{"MM", 2},      // 3DS: length of the main chunk
     LengthField{"glTF", 8},    // glTF 2.0 binary, 5.1 "Header"
     LengthField{"IDP2", 64},   // MD2: ofs_end
     LengthField{"IDP3", 104},  // MD3: ofs_eof
 };
 
-/// Throws core::Error if a file is shorter than its own header says. Knows 3DS, binary glTF, MD2
-/// and MD3, whose readers may stop early and say nothing.
+/// Throws core::Error if a file is shorter than its own header says. Knows binary glTF, MD2 and
+/// MD3, whose readers may stop early and say nothing.
 void check_length(const std::filesystem::path& path) {
     const std::string head = head_of(path);
     std::error_code error;
@@ -145,7 +143,7 @@ void write_all(const void* data, std::size_t size) {
     }
 }
 
-/// Assimp swallows bad_alloc and goes on with half a scene; so it must not be thrown.
+/// A library might swallow bad_alloc and go on with half a scene; so it must not be thrown.
 [[noreturn]] void answer_out_of_memory() {
     write_all(output.out_of_memory.data(), output.out_of_memory_bytes);
     _exit(kSuccess);
@@ -157,9 +155,7 @@ void prepare_output() {
     const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(null, STDOUT_FILENO);
     dup2(null, STDERR_FILENO);
-    ImportReply reply;
-    reply.status = ImportStatus::out_of_memory;
-    write_reply(reply, [](const void* data, std::size_t size) {
+    write_reply(reply_of(ImportStatus::out_of_memory), [](const void* data, std::size_t size) {
         std::memcpy(output.out_of_memory.data() + output.out_of_memory_bytes, data, size);
         output.out_of_memory_bytes += size;
     });
@@ -167,14 +163,13 @@ void prepare_output() {
 }
 
 ImportReply answer(ImportStatus status, const core::Error& error) {
-    ImportReply reply;
-    reply.status = status;
+    ImportReply reply = reply_of(status);
     reply.reason = error.what_happened();
     if (!error.accepted().empty()) reply.reason += " (accepted: " + error.accepted() + ")";
     return reply;
 }
 
-/// By our own readers what they know; what is not refused by name, by Assimp.
+/// By the first reader that knows the file; what none knows is refused, by name if it has one.
 ImportReply read_known(const std::filesystem::path& path, const ImportChoice& choice) {
     check_length(path);
     if (auto reply = read_quake_model(path)) return std::move(*reply);
@@ -182,18 +177,12 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
     if (auto reply = read_mesh_file(path, choice.has_texcoords)) return std::move(*reply);
     if (lower_case(path.extension().string()) == ".3mf") return read_3mf(path);
     if (auto reply = read_fbx(path, choice)) return std::move(*reply);
-    if (!is_dae(path)) refuse_by_ending(path, head_of(path));
-    ImportReply reply = read_with_assimp(path, choice, 0);
-    note_lost_digits(reply);
-    return reply;
+    refuse_by_ending(path, head_of(path));
+    return reply_of(has_read_ending(path) ? ImportStatus::wrong_content
+                                          : ImportStatus::unknown_format);
 }
 
 ImportReply read_model(const std::filesystem::path& path, const ImportChoice& choice) {
-#ifdef INK_IMPORT_FAULTS
-    // Our readers are tested against Assimp's, frame by frame.
-    if (const char* frame = std::getenv("INKBENCH_TEST_ASSIMP_FRAME"); frame != nullptr)
-        return read_with_assimp(path, choice, std::atoi(frame));
-#endif
     try {
         ImportReply reply = read_known(path, choice);
         // Of readers that know no animations none was chosen, which must not pass unnoticed.

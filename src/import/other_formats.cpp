@@ -16,7 +16,7 @@ constexpr Words kBlender = "glTF of it by Blender, which imports it";
 constexpr Words kTessellate = "glTF of it by experiments/brep/tessellate";
 constexpr Words kMotion = "glTF of the model that it moves";
 
-// Assimp reads half of them, and leaves out what it does not know without a word.
+// Assimp reads most of them, and leaves out what it does not know without a word.
 constexpr std::array kOtherFormats{
     OtherFormat{"an IFC file",
                 ".ifc .ifczip .ifcxml",
@@ -50,6 +50,17 @@ constexpr std::array kOtherFormats{
                 {"BLENDER"},
                 "glTF of it: blender -b FILE --python-expr \"import bpy; "
                 "bpy.ops.export_scene.gltf(filepath='OUT.glb', export_apply=True)\""},
+    OtherFormat{
+        "a Collada file",
+        ".dae .zae",
+        {"<COLLADA"},
+        "glTF of it: assimp export FILE OUT.glb -fglb2, as experiments/models.toml has duck"},
+    OtherFormat{
+        "a 3DS file",
+        ".3ds .prj",
+        {},
+        "glTF of it: assimp export FILE OUT.glb -fglb2; if it moves, STL: assimp export FILE "
+        "OUT.stl -fstlb"},
     OtherFormat{"a Quake 3 map",
                 ".bsp .pk3",
                 {"IBSP"},

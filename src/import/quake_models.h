@@ -14,11 +14,11 @@ inline constexpr std::size_t kQuakeNormals = 162;
 /// Normal number `index` (below kQuakeNormals), unit to six digits, in the model's z-up axes.
 [[nodiscard]] glm::vec3 quake_normal(std::size_t index);
 
-/// The scene with all its frames in a Quake model, read by our own readers because Assimp keeps the
-/// first frame only: MDL (IDPO, version 6), MD2 (IDP2, 8), MD3 (IDP3, 15). Nothing for other files.
+/// The scene with all its frames in a Quake model: MDL (IDPO, version 6), MD2 (IDP2, 8), MD3 (IDP3,
+/// 15). Nothing for other files.
 ///
-/// As Assimp has them: vertices as stored (z up), a root node that turns z up to y up, triangles
-/// turned to counter-clockwise; vertices stay shared. Where `lower`, `upper` and `head` of a
+/// Vertices as stored (z up), a root node that turns z up to y up, triangles turned to
+/// counter-clockwise; vertices stay shared. Where `lower`, `upper` and `head` of a
 /// Quake III player lie side by side (with one suffix), opening any of them gives all three, hung
 /// on each other's tags. Throws core::Error for a damaged file.
 [[nodiscard]] std::optional<ImportReply> read_quake_model(const std::filesystem::path& path);

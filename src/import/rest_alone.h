@@ -6,7 +6,7 @@
 #include "import/scene_stream.h"
 #include "scene/scene.h"
 
-// FBX and COLLADA are read at rest alone; motion comes from glTF.
+// FBX is read at rest alone; motion comes from glTF.
 
 namespace ink::import {
 

@@ -57,7 +57,7 @@ static_assert(sizeof(scene::VectorKey) == 32 && sizeof(scene::RotationKey) == 40
               "arrays travel as they lie in memory, without gaps");
 
 constexpr std::array<char, 8> kMagic{'i', 'n', 'k', 's', 'c', 'e', 'n', 'e'};
-constexpr std::uint32_t kVersion = 7;
+constexpr std::uint32_t kVersion = 8;
 constexpr std::uint32_t kEndMark = 0x656e6421;
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16 &&

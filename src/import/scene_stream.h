@@ -18,7 +18,6 @@ namespace ink::import {
 /// How the import child fared.
 enum class ImportStatus : std::uint32_t {
     scene,           ///< the rest of the reply holds
-    not_readable,    ///< no reader takes it; `reason` is the library's own
     wrong_content,   ///< no reader recognises it, though its extension is known
     unknown_format,  ///< no reader takes it, and its extension is not known either
     damaged,         ///< a reader of ours found a fault; `reason` says where and what

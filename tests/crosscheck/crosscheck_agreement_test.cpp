@@ -113,7 +113,7 @@ TEST_P(ModelAgreement, TruthAndCrosscheckBothWays) {
 INSTANTIATE_TEST_SUITE_P(
     SampledLines,
     ModelAgreement,
-    testing::Values("bunny_coarse.obj", "dragon_coarse.ply", "duck.dae", "spider.stl", "wuson.obj"),
+    testing::Values("bunny_coarse.obj", "dragon_coarse.ply", "duck.glb", "spider.stl", "wuson.obj"),
     stem_of);
 
 /// Models with surfaces that coincide but for rounding, folded slivers, faces nearly edge-on: the

@@ -26,7 +26,6 @@ void PrintTo(const Target& target, std::ostream* out) {
 
 constexpr Target kTargets[] = {
     {"camera_json", check_camera_json},
-    {"cameras_3ds", check_cameras_3ds},
     {"entrant_image", check_entrant_image},
     {"entrant_times", check_entrant_times},
     {"experiment", check_experiment},
@@ -41,7 +40,6 @@ constexpr Target kTargets[] = {
     {"preset", check_preset},
     {"quake_models", check_quake_models},
     {"rasterizer", check_rasterizer},
-    {"scene_cameras", check_scene_cameras},
     {"scene_stream", check_scene_stream},
     {"score", check_score},
     {"stl", check_stl},

@@ -100,7 +100,6 @@ void expect_scene_or_error(const import::ImportReply& reply);
 // The targets: each takes any bytes, and throws BrokenLaw if a law does not hold of them.
 
 void check_camera_json(Bytes bytes);
-void check_cameras_3ds(Bytes bytes);
 void check_entrant_image(Bytes bytes);
 void check_entrant_times(Bytes bytes);
 void check_experiment(Bytes bytes);
@@ -116,7 +115,6 @@ void check_predicates(Bytes bytes);
 void check_preset(Bytes bytes);
 void check_quake_models(Bytes bytes);
 void check_rasterizer(Bytes bytes);
-void check_scene_cameras(Bytes bytes);
 void check_scene_stream(Bytes bytes);
 void check_score(Bytes bytes);
 void check_stl(Bytes bytes);

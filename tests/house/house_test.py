@@ -20,7 +20,6 @@ DRAWERS = {"util", "utils", "common", "helper", "helpers", "misc"}
 LIBRARIES = {
     "Embree": ("embree", ("bench/",), 1),
     "OpenImageIO": ("OpenImageIO/", (), 1),
-    "Assimp": ("assimp/", ("src/import/assimp/",), 0),
     "Draco": ("draco/", ("tests/import/",), 1),
     "meshoptimizer": ("meshoptimizer", ("tests/import/",), 2),
     "pugixml": ("pugixml", ("src/import/",), 0),

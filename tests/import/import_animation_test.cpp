@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "scene/animation.h"
-#include "tests/import/files_3ds.h"
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
 
@@ -107,55 +106,6 @@ TEST_F(ImportAnimation, GltfCamerasRideOnTheirNodes) {
     EXPECT_LT(glm::length(post.eye_world - glm::dvec3(0, 0, 7)), 1e-6);
     scene::rest_scene(scene);
     EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 0, 5)), 1e-6);
-}
-
-/// A triangle that rises by 12 in 2 seconds, and a camera with keys of eye and target; z is up.
-std::string launch_3ds() {
-    const std::string camera = raw(std::array<float, 8>{46, -52, 9, 0, 0, 10, 0, 35});
-    const Keys3ds rise = {{0, {0, 0, 0}}, {60, {0, 0, 12}}};
-    const Keys3ds eye = {{0, {46, -52, 9}}, {60, {40, -46, 6}}, {120, {30, -60, 14}}};
-    const Keys3ds target = {{0, {0, 0, 10}}, {50, {0, 0, 12}}, {75, {0, 0, 26}}};
-    return file_3ds(triangle_3ds("Rocket") + object_3ds("Camera01", chunk(0x4700, camera)),
-                    node_3ds(0xb002, "Rocket", -1, track_3ds(0xb020, rise)) +
-                        node_3ds(0xb003, "Camera01", -1, track_3ds(0xb020, eye)) +
-                        node_3ds(0xb004, "Camera01", -1, track_3ds(0xb020, target)));
-}
-
-TEST_F(ImportAnimation, ThreeDsNodesMoveByTheirKeys) {
-    scene::Scene scene = import_scene(write("launch.3ds", launch_3ds()));
-    ASSERT_NE(scene.animation, nullptr);
-    EXPECT_NEAR(scene.animation->duration_s, 4, 1e-6);
-    for (const double time_s : {0.0, 0.5, 2.0, 4.0}) {
-        scene::pose_scene(scene, time_s);
-        const glm::dvec3 corner =
-            scene::to_world(scene.instances.at(0), scene.meshes[0].positions.at(0));
-        EXPECT_LT(glm::length(corner - glm::dvec3(0, std::min(6 * time_s, 12.0), 0)), 1e-5)
-            << time_s;
-    }
-}
-
-TEST_F(ImportAnimation, TheCameraOf3dsFollowsItsTarget) {
-    scene::Scene scene = import_scene(write("launch.3ds", launch_3ds()));
-    ASSERT_EQ(scene.cameras.size(), 1U);
-    scene::Camera& camera = scene.cameras[0];
-    EXPECT_EQ(camera.name, "Camera01");
-    const auto expect_looks_at = [&](const glm::dvec3& target, const char* when) {
-        const glm::dvec3 view = camera.view_from_world * glm::normalize(target - camera.eye_world);
-        EXPECT_LT(glm::length(view - glm::dvec3(0, 0, -1)), 1e-6) << when;
-        const glm::dvec3 up = camera.view_from_world * glm::dvec3(0, 1, 0);
-        EXPECT_NEAR(up.x, 0, 1e-9) << when;
-        EXPECT_GT(up.y, 0.5) << when;
-    };
-    // The file's z is our y, its y our -z. A lens of 35 is 2400/35 degrees across 4:3.
-    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(46, 9, 52)), 1e-5);
-    expect_looks_at({0, 10, 0}, "at rest");
-    const double fov_x_rad = 2 * std::atan(std::tan(camera.fov_y_rad / 2) * 4 / 3);
-    EXPECT_NEAR(fov_x_rad * 180 / std::numbers::pi, 2400.0 / 35, 1e-6);
-    scene::pose_scene(scene, 2);
-    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(40, 6, 46)), 1e-5);
-    expect_looks_at({0, 12 + 14 * 0.4, 0}, "at 60 frames");
-    scene::pose_scene(scene, 4);
-    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(30, 14, 60)), 1e-5);
 }
 
 TEST_F(ImportAnimation, AFileWithoutKeysHasNone) {

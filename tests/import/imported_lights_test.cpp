@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "import/imported_scene.h"
-#include "tests/import/dae_files.h"
 #include "tests/import/fbx_files.h"
 #include "tests/import/imported_meshes.h"
 #include "tests/import/model_files.h"
@@ -149,45 +148,6 @@ TEST(ImportedLights, ASceneFarFromZeroTakesItsLightsAlong) {
     EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 1);
     scene::pose_scene(scene, 2);
     EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 3);
-}
-
-/// A box with a light and its node in COLLADA.
-std::string collada(const std::string& light) {
-    return dae_document(
-        dae_geometry("g"),
-        dae_node("") +
-            "<node id=\"m\"><translate>1 2 3</translate><instance_light url=\"#l\"/></node>",
-        "<library_lights><light id=\"l\"><technique_common>" + light +
-            "</technique_common></light></library_lights>");
-}
-
-TEST_F(ImportLights, ColladaPointsEndWhereTwiceTheHalfWayLies) {
-    const scene::Scene scene = import_scene(
-        write("point.dae",
-              collada("<point><color>1 0.5 0</color><constant_attenuation>1</constant_attenuation>"
-                      "<linear_attenuation>0</linear_attenuation>"
-                      "<quadratic_attenuation>0.04</quadratic_attenuation></point>")));
-    ASSERT_EQ(scene.lights.size(), 1U);
-    EXPECT_LT(glm::length(scene.lights[0].p_world - glm::dvec3(1, 2, 3)), 1e-6);
-    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0));
-    // 1 / (1 + 0.04 d^2) is a half at 5.
-    EXPECT_NEAR(scene.lights[0].range, 10, 1e-5);
-}
-
-TEST_F(ImportLights, ColladaSunsShineFromAfarAndSpotsAreNoted) {
-    const scene::Scene sun =
-        import_scene(write("sun.dae", collada("<directional><color>1 1 1</color></directional>")));
-    ASSERT_EQ(sun.lights.size(), 1U);
-    EXPECT_GT(sun.lights[0].p_world.z, 500) << "it shines along -z";
-    EXPECT_TRUE(sun.file.notes.empty());
-    const scene::Scene spot =
-        import_scene(write("spot.dae", collada("<spot><color>1 1 1</color></spot>")));
-    EXPECT_EQ(spot.lights.size(), 1U);
-    EXPECT_THAT(spot.file.notes, ElementsAre("1 spotlight shines to all sides"));
-    const scene::Scene ambient =
-        import_scene(write("ambient.dae", collada("<ambient><color>1 1 1</color></ambient>")));
-    EXPECT_TRUE(ambient.lights.empty());
-    EXPECT_THAT(ambient.file.notes, ElementsAre("1 ambient light is not heeded"));
 }
 
 TEST_F(ImportLights, FbxLightsDecay) {

@@ -69,7 +69,7 @@ TEST_F(OtherFormats, EveryMarkIsKnownWhateverTheFileIsCalled) {
         for (const std::string_view mark : format.marks) {
             if (mark.empty()) continue;
             const std::string content = content_of(mark);
-            for (const char* name : {"model.obj", "model.ply", "model.stl", "model.3ds", "model"})
+            for (const char* name : {"model.obj", "model.ply", "model.stl", "model"})
                 EXPECT_THAT(complaint(write(name, content)),
                             HasSubstr("is " + std::string(format.name) + ", which is not read"))
                     << mark << name;

@@ -2,14 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <set>
 
 #include "import/imported_scene.h"
 #include "tests/import/model_files.h"
 #include "tests/import/quake_files.h"
-#include "tests/import/solids.h"
 
 namespace ink::import {
 namespace {
@@ -185,29 +183,6 @@ TEST(QuakeModelDamage, NeverCrashesAReader) {
                          {"upper", model_bytes(md3_file(2, "tag_head"))},
                          {"head", model_bytes(md3_file(1, "tag_x"))}});
     });
-}
-
-/// The model as Assimp reads its frame `frame`.
-scene::Scene by_assimp(const std::filesystem::path& path, std::size_t frame) {
-    ImportLimits limits;
-    limits.child = std::filesystem::path(INK_BINARY_DIR) / "inkbench_import_faulty";
-    setenv("INKBENCH_TEST_ASSIMP_FRAME", std::to_string(frame).c_str(), 1);
-    scene::Scene scene = import_scene(path, {}, limits);
-    unsetenv("INKBENCH_TEST_ASSIMP_FRAME");
-    return scene;
-}
-
-TEST_F(QuakeModel, FramesEqualAssimpsBitForBit) {
-    const auto path = write("two.md2", md2_file());
-    scene::Scene ours = import_scene(path);
-    for (const std::size_t frame : {0U, 1U}) {
-        scene::pose_scene(ours, ours.animation->frame_time_s(frame));
-        EXPECT_EQ(corners_of(ours), corners_of(by_assimp(path, frame))) << frame;
-    }
-    // It begins a triangle of MD3 with another of its corners.
-    const auto md3 = write("one.md3", md3_file(1, "tag_x"));
-    EXPECT_THAT(corners_of(import_scene(md3)),
-                testing::UnorderedElementsAreArray(corners_of(by_assimp(md3, 0))));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <random>
 
-#include "tests/import/dae_files.h"
-#include "tests/import/files_3ds.h"
+#include "tests/import/quake_files.h"
 #include "tests/models/fetched_model.h"
 #include "tests/program/run_program.h"
 
@@ -33,10 +33,10 @@ std::string random_bytes(std::size_t count) {
 /// A binary STL of one triangle whose first corner is (x, 0, 0).
 std::string stl_triangle(float x) {
     std::string stl(80, ' ');
-    stl += import::raw(std::uint32_t{1});
-    for (const float number : {0.F, 0.F, 1.F, x, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
-        stl += import::raw(number);
-    return stl + import::raw(std::uint16_t{0});
+    import::put(stl, std::uint32_t{1});
+    import::put(stl, std::array{0.F, 0.F, 1.F, x, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F});
+    import::put(stl, std::uint16_t{0});
+    return stl;
 }
 
 TEST(BadModel, MissingOrAFolder) {
@@ -66,11 +66,11 @@ TEST(BadModel, OfNoModelNoTriangleOrNumbersThatAreNone) {
 
 TEST(BadModel, CutShort) {
     const Desk desk;
-    const std::string whole = import::file_3ds(import::triangle_3ds("one"));
-    expect_done(desk, {"draw", desk.write("whole.3ds", whole), "-o", "a.png", "--size", "64x36"});
+    const std::string whole = stl_triangle(0);
+    expect_done(desk, {"draw", desk.write("whole.stl", whole), "-o", "a.png", "--size", "64x36"});
     std::filesystem::remove(desk.work() / "a.png");
-    expect_model_refused(desk, desk.write("cut.3ds", whole.substr(0, whole.size() - 20)));
-    expect_model_refused(desk, desk.write("stump.3ds", whole.substr(0, 9)));
+    expect_model_refused(desk, desk.write("cut.stl", whole.substr(0, whole.size() - 20)));
+    expect_model_refused(desk, desk.write("stump.stl", whole.substr(0, 9)));
 }
 
 TEST(BadModel, RealOneCutShort) {
@@ -229,18 +229,35 @@ TEST(BadScore, Options) {
         expect("--ignore", value);
 }
 
+/// A triangle with keys.
+constexpr const char* kMovingFbx = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  { FBXVersion: 7400
+}
+Objects:  {
+ Model: 1, "Model::m", "Mesh" {
+ }
+ Geometry: 2, "Geometry::g", "Mesh" {
+  Vertices: *9 { a: 0,0,0,1,0,0,0,1,0 }
+  PolygonVertexIndex: *3 { a: 0,1,-3 }
+ }
+ AnimationCurve: 3, "AnimCurve::", "" {
+  KeyTime: *2 { a: 0,46186158000 }
+  KeyValueFloat: *2 { a: 0,1 }
+ }
+}
+Connections:  {
+ C: "OO",1,0
+ C: "OO",2,1
+}
+)";
+
 TEST(BadInput, MotionThatIsNotReadIsRefusedWithAWayToIt) {
     const Desk desk;
-    desk.write("walker.dae",
-               import::dae_document(
-                   import::dae_geometry("g"),
-                   import::dae_node("<translate sid=\"t\">1 0 0</translate>"),
-                   "<library_animations><animation><sampler id=\"k\"/><channel source=\"#k\" "
-                   "target=\"n/t.X\"/></animation></library_animations>"));
-    for (const char* line : {"timedemo walker.dae",
-                             "export walker.dae -o out --time 1",
-                             "export walker.dae -o out --frame 1",
-                             "draw walker.dae -o a.png --animation walk"})
+    desk.write("walker.fbx", kMovingFbx);
+    for (const char* line : {"timedemo walker.fbx",
+                             "export walker.fbx -o out --time 1",
+                             "export walker.fbx -o out --frame 1",
+                             "draw walker.fbx -o a.png --animation walk"})
         EXPECT_THAT(refusal(desk, line), testing::ContainsRegex("walker.*at rest alone.*glTF"))
             << line;
 }

@@ -16,8 +16,8 @@ struct FbxAxes {
     double cm_per_unit = 1;
 };
 
-/// Turns the file's coordinates so that y is up, as Collada's up_axis does: z up becomes (x, z,
-/// -y), x up (-y, x, z). Left-handed axes are mirrored along the front. Lengths become centimetres.
+/// Turns the file's coordinates so that y is up: z up becomes (x, z, -y), x up (-y, x, z).
+/// Left-handed axes are mirrored along the front. Lengths become centimetres.
 [[nodiscard]] glm::dmat4 y_up_from_fbx(const FbxAxes& axes);
 
 }  // namespace ink::import

@@ -70,7 +70,7 @@ function aboutTerms() {
 // ---- Provenance ---------------------------------------------------------------------------
 
 /// Libraries whose versions rows name.
-const ABOUT_LIBRARIES = ['embree', 'openimageio', 'onetbb', 'highway', 'assimp', 'fmt', 'glm'];
+const ABOUT_LIBRARIES = ['embree', 'openimageio', 'onetbb', 'highway', 'fmt', 'glm'];
 
 /// What the run folder says of itself: how it was made, by which build, on which machine.
 function aboutProvenance(run) {
