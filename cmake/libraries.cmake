@@ -7,7 +7,6 @@ find_package(glm REQUIRED)
 find_package(embree REQUIRED CONFIG)
 find_package(draco REQUIRED)
 find_package(meshoptimizer REQUIRED)
-find_package(pugixml REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(hwy REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -23,13 +22,6 @@ find_library(INK_OPENCV_IMGPROC opencv_imgproc REQUIRED)
 add_library(ink_opencv INTERFACE)
 target_include_directories(ink_opencv SYSTEM INTERFACE ${INK_OPENCV_INCLUDE})
 target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPROC})
-
-# minizip: a library without a CMake package.
-find_path(INK_MINIZIP_INCLUDE minizip/unzip.h REQUIRED)
-find_library(INK_MINIZIP minizip REQUIRED)
-add_library(ink_minizip INTERFACE)
-target_include_directories(ink_minizip SYSTEM INTERFACE ${INK_MINIZIP_INCLUDE})
-target_link_libraries(ink_minizip INTERFACE ${INK_MINIZIP})
 
 # XXH3: a library without a CMake package.
 find_path(INK_XXHASH_INCLUDE xxhash.h REQUIRED)

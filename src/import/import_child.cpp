@@ -29,7 +29,6 @@
 #include "import/quake_models.h"
 #include "import/refusal.h"
 #include "import/scene_stream.h"
-#include "import/three_mf.h"
 
 namespace ink::import {
 
@@ -175,7 +174,6 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
     if (auto reply = read_mesh_file(path, choice.has_texcoords)) return std::move(*reply);
-    if (lower_case(path.extension().string()) == ".3mf") return read_3mf(path);
     if (auto reply = read_fbx(path, choice)) return std::move(*reply);
     refuse_by_ending(path, head_of(path));
     return reply_of(has_read_ending(path) ? ImportStatus::wrong_content

@@ -38,11 +38,16 @@ constexpr std::array kOtherFormats{
                 ".ac .ac3d .acc",
                 {"AC3D"},
                 "OBJ of it by osgconv (OpenSceneGraph), but for those with subdiv"},
-    OtherFormat{"an AMF file",
-                ".amf",
-                {"<amf"},
-                "3MF or STL by the program that made it; STL by prusa-slicer --export-stl if no "
-                "instance is turned"},
+    OtherFormat{"a 3MF package",
+                ".3mf",
+                {},
+                "STL or OBJ by the program that made it; STL by prusa-slicer --export-stl"},
+    OtherFormat{
+        "an AMF file",
+        ".amf",
+        {"<amf"},
+        "STL by the program that made it, or by prusa-slicer --export-stl if no instance is "
+        "turned"},
     OtherFormat{"an X3D file", ".x3d .x3db .x3dv", {"<X3D"}, kBlender},
     OtherFormat{"a VRML file", ".wrl .vrml .wrz", {"#VRML"}, kBlender},
     OtherFormat{"a Blender file",

@@ -118,6 +118,5 @@ void check_rasterizer(Bytes bytes);
 void check_scene_stream(Bytes bytes);
 void check_score(Bytes bytes);
 void check_stl(Bytes bytes);
-void check_three_mf(Bytes bytes);
 
 }  // namespace ink::fuzz

@@ -22,8 +22,6 @@ LIBRARIES = {
     "OpenImageIO": ("OpenImageIO/", (), 1),
     "Draco": ("draco/", ("tests/import/",), 1),
     "meshoptimizer": ("meshoptimizer", ("tests/import/",), 2),
-    "pugixml": ("pugixml", ("src/import/",), 0),
-    "minizip": ("minizip/", ("tests/import/", "tests/fuzz/"), 1),
     "OpenCV": ("opencv2/", ("src/score/", "src/inspect/", "methods/", "tests/", "bench/"), 0),
     "CLI11": ("CLI/", ("src/cli/",), 0),
     "pybind11": ("pybind11/", ("src/python/",), 0),

@@ -1,13 +1,11 @@
-"""Writers of PLY, STL, OFF, OBJ, 3MF and FBX over all that these formats allow, and what must come out of each file.
+"""Writers of PLY, STL, OFF, OBJ and FBX over all that these formats allow, and what must come out of each file.
 
 No writer shares anything with the program. Every number is one that a float holds, so the soup that comes out
 must be the soup that was meant, bit for bit.
 """
 
-import io
 import itertools
 import struct
-import zipfile
 import zlib
 from dataclasses import dataclass, field
 
@@ -322,63 +320,6 @@ def obj_cases():
     yield Case("wide.obj", text.encode("utf-16-be"), refusal="UTF-16")
 
 
-# ---- 3MF ----------------------------------------------------------------------------------------
-
-THREE_MF = "http://schemas.microsoft.com/3dmanufacturing"
-RELATIONS = (f'<Relationships><Relationship Id="a" Target="/3D/model" Type="{THREE_MF}/2013/01/3dmodel"/>'
-             '</Relationships>').encode()
-
-
-def model_3mf(resources, build, head="", attributes=""):
-    return (f'{head}<model xmlns="{THREE_MF}/core/2015/02" xmlns:p="{THREE_MF}/production/2015/06" {attributes}>'
-            f"<resources>{resources}</resources><build>{build}</build></model>")
-
-
-def object_3mf(number, points=None, triangles=None):
-    points, triangles = points or BOX + PIT, triangles or facets(BOX + PIT, solids())
-    vertices = "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*p) for p in points)
-    faces = "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*t) for t in triangles)
-    return (f'<object id="{number}"><mesh><vertices>{vertices}</vertices><triangles>{faces}</triangles></mesh>'
-            "</object>")
-
-
-def package_3mf(model, packing=zipfile.ZIP_DEFLATED, more=()):
-    file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", packing) as zipped:
-        for name, content in (("_rels/.rels", RELATIONS), ("3D/model", model), *more):
-            zipped.writestr(zipfile.ZipInfo(name), content, packing)
-    return file.getvalue()
-
-
-def three_mf_cases():
-    triangles = list(facets(BOX + PIT, solids()))
-    item = '<item objectid="1"/>'
-    plain = model_3mf(object_3mf(1), item)
-
-    def case(name, data, objects=1):
-        return Case(f"{name}.3mf", data, BOX + PIT, triangles, objects)
-
-    for name, packing in (("stored", zipfile.ZIP_STORED), ("deflated", zipfile.ZIP_DEFLATED)):
-        yield case(name, package_3mf(plain.encode(), packing))
-    for code in ("utf-8", "utf-8-sig", "utf-16"):
-        head = f'<?xml version="1.0" encoding="{code[:6].strip("-")}"?>'
-        yield case(code, package_3mf(model_3mf(object_3mf(1), item, head).encode(code)))
-    turned = object_3mf(1, [(-y, x, z - 7) for x, y, z in BOX + PIT])
-    yield case("turned", package_3mf(model_3mf(
-        turned, '<item objectid="1" transform="0 -1 0 1 0 0 0 0 1 0 0 7"/>').encode()))
-    inside = model_3mf('<object id="9"><components><component p:path="/3D/b" objectid="1"/></components></object>',
-                       '<item objectid="9"/>', attributes='requiredextensions="p"')
-    yield case("part", package_3mf(inside.encode(), more=[("3D/b", plain)]))
-    half = [t for t in triangles if max(t) < len(BOX)]
-    rest = [t for t in triangles if max(t) >= len(BOX)]
-    yield case("two_objects", package_3mf(model_3mf(
-        object_3mf(1, triangles=half) + object_3mf(2, triangles=rest), item + '<item objectid="2"/>').encode()), 2)
-    yield Case("cut.3mf", package_3mf(plain.encode())[:300], refusal="cut short")
-    yield Case("index.3mf", package_3mf(plain.replace('v2="1"', 'v2="99"').encode()), refusal='v2 of a triangle is "99"')
-    lattice = f'xmlns:b="{THREE_MF}/beamlattice/2017/02" requiredextensions="b"'
-    yield Case("lattice.3mf", package_3mf(model_3mf(object_3mf(1), item, "", lattice).encode()), refusal="beamlattice")
-
-
 # ---- FBX ----------------------------------------------------------------------------------------
 
 
@@ -460,5 +401,5 @@ def fbx_cases():
 
 
 def all_cases():
-    for cases in (ply_cases, stl_cases, off_cases, obj_cases, three_mf_cases, fbx_cases):
+    for cases in (ply_cases, stl_cases, off_cases, obj_cases, fbx_cases):
         yield from cases()

@@ -309,7 +309,7 @@ void add_view_rows(OptionTable& table) {
     in(kViews, "--up").texts(
         {.name = "views.up", .kind = Kind::text, .unit = "x|y|z|X,Y,Z",
          .doc = "What is up: with --eye a direction, in views by name an axis (default: y, but "
-                "z for views by name of .stl and .3mf files)"},
+                "z for views by name of .stl files)"},
         read_up, up_text);
     in(kNoFile, "--fov").texts(
         {.name = "views.fov_deg", .kind = Kind::text, .unit = "DEGREES",

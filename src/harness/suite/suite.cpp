@@ -216,7 +216,7 @@ UpAxis up_of(const ViewRequest& request, const std::string& what) {
     std::string ending = std::filesystem::path(what).extension().string();
     for (char& c : ending)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending == ".stl" || ending == ".3mf" ? UpAxis::z : UpAxis::y;
+    return ending == ".stl" ? UpAxis::z : UpAxis::y;
 }
 
 void check_size(int width_px, int height_px) {

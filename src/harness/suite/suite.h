@@ -49,7 +49,7 @@ struct ViewRequest {
     int height_px = 720;
     std::optional<int> orbit_count = {};  ///< this many round the scene, instead of its own views
     std::vector<scene::NamedDirection> directions = {};  ///< these round the scene instead
-    std::optional<UpAxis> up = {};  ///< in `directions`; default: z of .stl and .3mf files, else y
+    std::optional<UpAxis> up = {};  ///< in `directions`; default: z of .stl files, else y
     /// How views round a scene are framed; any of these asks for such views, three unless said.
     std::optional<Fit> fit = {};        ///< default: the sphere
     std::optional<double> margin = {};  ///< of the frame's size on either side, of Fit::box; .04
@@ -86,8 +86,8 @@ struct SceneViews {
                                       const import::ImportLimits& limits = {});
 
 /// The axis that stands upright in views by name of what `what` names: as asked, else as the format
-/// of the file has it. Formats of CAD and printing that cannot say so themselves (.stl, .3mf) have
-/// z up, all others y.
+/// of the file has it. STL, of CAD and printing, cannot say so itself and has
+/// z up, all others have y.
 [[nodiscard]] UpAxis up_of(const ViewRequest& request, const std::string& what);
 
 /// What checked_fov_deg and checked_height accept.
