@@ -23,16 +23,6 @@ struct ImportLimits {
     std::uint64_t triangles = 100'000'000;
 };
 
-/// What the user may choose of a model.
-struct ModelChoice {
-    std::string animation;  ///< see ImportChoice
-    /// Objects of several materials become one object for each, so that seams stand between
-    /// materials, too.
-    bool material_seams = false;
-    bool has_texcoords = false;  ///< OBJ's are kept, which splits vertices
-    [[nodiscard]] bool operator==(const ModelChoice&) const = default;
-};
-
 /// Where the triangles of a scene stand in its file.
 struct FilePlaces {
     /// Per instance the number of its node; scene::kNoNode: files of this format have none.

@@ -169,7 +169,7 @@ ImportReply answer(ImportStatus status, const core::Error& error) {
 }
 
 /// By the first reader that knows the file; what none knows is refused, by name if it has one.
-ImportReply read_known(const std::filesystem::path& path, const ImportChoice& choice) {
+ImportReply read_known(const std::filesystem::path& path, const ModelChoice& choice) {
     check_length(path);
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
@@ -180,7 +180,7 @@ ImportReply read_known(const std::filesystem::path& path, const ImportChoice& ch
                                           : ImportStatus::unknown_format);
 }
 
-ImportReply read_model(const std::filesystem::path& path, const ImportChoice& choice) {
+ImportReply read_model(const std::filesystem::path& path, const ModelChoice& choice) {
     try {
         ImportReply reply = read_known(path, choice);
         // Of readers that know no animations none was chosen, which must not pass unnoticed.
@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
 #ifdef INK_IMPORT_FAULTS
     provoke_fault(argv[1], output.fd);
 #endif
-    const ImportChoice choice{.animation = argc > 2 ? argv[2] : "", .has_texcoords = argc > 3};
+    const ModelChoice choice{.animation = argc > 2 ? argv[2] : "", .has_texcoords = argc > 3};
     write_reply(read_model(argv[1], choice), write_all);
     return kSuccess;
 }

@@ -34,43 +34,23 @@ bool is_usable(const ImportedLight& light) {
             ? is_usable(light.direction_world) && glm::length(light.direction_world) > 0
             : is_usable(light.p_world);
     return has_place && is_usable(glm::dvec3(light.color)) && is_usable(light.range) &&
-           is_usable(light.inner_range) && light.range >= 0 && light.inner_range >= 0 &&
-           std::ranges::all_of(light.colors,
-                               [](const scene::VectorKey& key) { return is_usable(key.value); });
+           light.range >= 0;
 }
 
 double brightest(const glm::dvec3& color) {
     return std::max({color.r, color.g, color.b});
 }
 
-/// A lamp and how it moves; its colours as doubles until they are made shares of the brightest.
+/// A lamp and how it moves; its colour as doubles until it is made a share of the brightest.
 struct Lamp {
     scene::OmniLight light;
     scene::LightMotion motion;
     glm::dvec3 color{0};
-
-    void dim(double factor) {
-        color *= factor;
-        for (scene::VectorKey& key : motion.colors)
-            key.value *= factor;
-    }
-    [[nodiscard]] bool is_dark() const {
-        return color == glm::dvec3{0} && std::ranges::all_of(motion.colors, [](const auto& key) {
-                   return key.value == glm::dvec3{0};
-               });
-    }
-    [[nodiscard]] double most() const {
-        double most = brightest(color);
-        for (const scene::VectorKey& key : motion.colors)
-            most = std::max(most, brightest(key.value));
-        return most;
-    }
 };
 
 Lamp make_lamp(const ImportedLight& from, const scene::Sphere& bounds) {
     Lamp lamp;
-    lamp.color = from.colors.empty() ? glm::dvec3(from.color) : from.colors.front().value;
-    lamp.motion.colors = from.colors;
+    lamp.color = from.color;
     lamp.light.p_world = from.p_world;
     const double radius = bounds.radius > 0 ? bounds.radius : 1;
     if (from.kind == LightKind::distant) {
@@ -79,12 +59,11 @@ Lamp make_lamp(const ImportedLight& from, const scene::Sphere& bounds) {
         return lamp;
     }
     lamp.light.range = from.range;
-    lamp.light.inner_range = std::min(from.inner_range, from.range);
     if (!from.is_physical) return lamp;
     // Light thins out with the square of the way (which no lamp of the shading's does); from
     // within the scene as from its rim.
     const double way = std::max(glm::length(from.p_world - bounds.center_world), radius);
-    lamp.dim(1 / (way * way));
+    lamp.color *= 1 / (way * way);
     return lamp;
 }
 
@@ -103,32 +82,14 @@ void note(std::size_t count, const char* one, const char* many, scene::Scene& sc
     scene.file.notes.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
 }
 
-void note_kinds(const std::vector<ImportedLight>& lights, scene::Scene& scene) {
-    const auto count = [&](LightKind kind) {
-        return static_cast<std::size_t>(std::ranges::count(lights, kind, &ImportedLight::kind));
-    };
-    note(count(LightKind::spot),
-         "spotlight shines to all sides",
-         "spotlights shine to all sides",
-         scene);
-    note(count(LightKind::area),
-         "area light shines from its middle",
-         "area lights shine from their middle",
-         scene);
-    note(count(LightKind::ambient),
-         "ambient light is not heeded",
-         "ambient lights are not heeded",
-         scene);
-}
-
 /// Makes the brightest lamp 1: always where strengths are physical, else only from above.
 void balance(bool is_physical, std::vector<Lamp>& lamps) {
     double most = 0;
     for (const Lamp& lamp : lamps)
-        most = std::max(most, lamp.most());
+        most = std::max(most, brightest(lamp.color));
     if (!(most > (is_physical ? 0 : 1))) return;
     for (Lamp& lamp : lamps)
-        lamp.dim(1 / most);
+        lamp.color *= 1 / most;
 }
 
 }  // namespace
@@ -144,13 +105,12 @@ void take_lights(const std::vector<ImportedLight>& lights,
     std::size_t unusable = 0;
     std::size_t too_many = 0;
     for (const ImportedLight& from : lights) {
-        if (from.kind >= LightKind::ambient) continue;
         if (!is_usable(from)) {
             ++unusable;
             continue;
         }
         Lamp lamp = make_lamp(from, bounds);
-        if (lamp.is_dark()) continue;
+        if (lamp.color == glm::dvec3{0}) continue;
         if (lamps.size() == kMostLights) {
             ++too_many;
             continue;
@@ -161,7 +121,11 @@ void take_lights(const std::vector<ImportedLight>& lights,
         lamps.push_back(std::move(lamp));
     }
     balance(is_physical, lamps);
-    note_kinds(lights, scene);
+    const auto spots = std::ranges::count(lights, LightKind::spot, &ImportedLight::kind);
+    note(static_cast<std::size_t>(spots),
+         "spotlight shines to all sides",
+         "spotlights shine to all sides",
+         scene);
     note(unusable,
          "light of impossible numbers is not heeded",
          "lights of impossible numbers are not heeded",
@@ -175,9 +139,8 @@ void take_lights(const std::vector<ImportedLight>& lights,
     for (Lamp& lamp : lamps) {
         lamp.light.color = lamp.color;
         scene.lights.push_back(lamp.light);
-        is_any_moving =
-            is_any_moving || lamp.motion.node != scene::kNoNode || lamp.motion.colors.size() > 1;
-        motions.push_back(std::move(lamp.motion));
+        is_any_moving = is_any_moving || lamp.motion.node != scene::kNoNode;
+        motions.push_back(lamp.motion);
     }
     if (animation && is_any_moving) animation->lights = std::move(motions);
 }

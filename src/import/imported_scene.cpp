@@ -179,11 +179,11 @@ std::string camera_name(const std::string& wanted, std::set<std::string>& taken)
     return name;
 }
 
-/// Gives the scene the cameras that look somewhere; returns how they move, one for one.
-std::vector<scene::CameraMotion> take_cameras(const std::vector<ImportedCamera>& imported,
-                                              scene::Scene& scene) {
+/// Gives the scene the cameras that look somewhere; returns their nodes, one for one.
+std::vector<std::uint32_t> take_cameras(const std::vector<ImportedCamera>& imported,
+                                        scene::Scene& scene) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
-    std::vector<scene::CameraMotion> motions;
+    std::vector<std::uint32_t> nodes;
     std::set<std::string> taken;
     for (const ImportedCamera& from : imported) {
         if (scene.cameras.size() == kMostCameras) break;
@@ -201,31 +201,29 @@ std::vector<scene::CameraMotion> take_cameras(const std::vector<ImportedCamera>&
             scene::fit_clip_range(camera, bounds);
             scene::stand_before(camera, bounds);
             scene.cameras.push_back(std::move(camera));
-            motions.push_back(from.motion);
+            nodes.push_back(from.node);
         } catch (const core::Error&) {
             continue;  // it looks nowhere, which does not make the model worse
         }
     }
-    return motions;
+    return nodes;
 }
 
 /// Lets the cameras go with their nodes where those move at all.
-void take_camera_motions(const std::vector<scene::CameraMotion>& motions,
-                         const std::shared_ptr<scene::Animation>& animation,
-                         const scene::Scene& scene,
-                         const std::string& where) {
+void take_camera_nodes(const std::vector<std::uint32_t>& nodes,
+                       const std::shared_ptr<scene::Animation>& animation,
+                       const scene::Scene& scene,
+                       const std::string& where) {
     if (!animation) return;
-    animation->cameras = motions;
+    animation->node_of_camera = nodes;
     check_at(where, scene, [&] { scene::check_animation(scene, *animation); });
     bool is_any = false;
-    for (scene::CameraMotion& camera : animation->cameras) {
-        const bool is_moving =
-            camera.eye_node != scene::kNoNode &&
-            (animation->is_moving(camera.eye_node) || animation->is_moving(camera.target_node));
-        if (!is_moving) camera = {};
+    for (std::uint32_t& node : animation->node_of_camera) {
+        const bool is_moving = node != scene::kNoNode && animation->is_moving(node);
+        if (!is_moving) node = scene::kNoNode;
         is_any = is_any || is_moving;
     }
-    if (!is_any) animation->cameras.clear();
+    if (!is_any) animation->node_of_camera.clear();
 }
 
 /// What the reply says of the file, fit to be printed.
@@ -273,9 +271,9 @@ scene::Scene scene_from_reply(ImportReply&& reply,
     }
     scene.file = facts_of(reply);
     const auto animation = take_animation(std::move(reply.animation), scene, where);
-    const auto camera_motions = take_cameras(reply.cameras, scene);
+    const auto camera_nodes = take_cameras(reply.cameras, scene);
     take_lights(reply.lights, animation, scene);
-    take_camera_motions(camera_motions, animation, scene, where);  // checks the lights', too
+    take_camera_nodes(camera_nodes, animation, scene, where);  // checks the lights', too
     if (material_seams) scene::split_materials(scene);
     return scene;
 }

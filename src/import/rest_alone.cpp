@@ -12,7 +12,7 @@ const std::string kAtRest = "its animation, as it is read at rest alone";
 
 }  // namespace
 
-void note_rest_alone(const ImportChoice& choice, std::vector<std::string>& notes) {
+void note_rest_alone(const ModelChoice& choice, std::vector<std::string>& notes) {
     if (!choice.animation.empty()) {
         throw Refusal("",
                       "animation \"" + choice.animation + "\": the file is read at rest alone",

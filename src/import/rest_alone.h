@@ -15,7 +15,7 @@ inline constexpr const char* kMotionByGltf = "glTF, to which Blender 4 converts 
 
 /// Notes that a file with motion stands at rest. Throws Refusal if one of its animations was asked
 /// for.
-void note_rest_alone(const ImportChoice& choice, std::vector<std::string>& notes);
+void note_rest_alone(const ModelChoice& choice, std::vector<std::string>& notes);
 
 /// Whether a file has motion that was not read.
 [[nodiscard]] bool is_at_rest_alone(const scene::FileFacts& file);

@@ -71,8 +71,8 @@ void pass_scene(Stream& of, Reply& reply) {
     // The least that each kind takes in the stream, so that a claimed count can be judged.
     constexpr std::size_t kLeastMeshBytes = 57;
     constexpr std::size_t kLeastInstanceBytes = 144;
-    constexpr std::size_t kLeastCameraBytes = 176;
-    constexpr std::size_t kLeastLightBytes = 93;
+    constexpr std::size_t kLeastCameraBytes = 100;
+    constexpr std::size_t kLeastLightBytes = 77;
     constexpr std::size_t kLeastTextBytes = 8;
     const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
     of.parts(reply.reason);
@@ -85,14 +85,11 @@ void pass_scene(Stream& of, Reply& reply) {
     });
     of.list(reply.cameras, kLeastCameraBytes, [](auto& stream, auto& camera) {
         stream.parts(camera.name, camera.eye_world, camera.target_world, camera.up_world);
-        auto& motion = camera.motion;
-        stream.parts(camera.fov_y_rad, camera.height_world);
-        stream.parts(motion.eye_node, motion.target_node);
-        stream.parts(motion.p_eye, motion.p_target, motion.up);
+        stream.parts(camera.fov_y_rad, camera.height_world, camera.node);
     });
     of.list(reply.lights, kLeastLightBytes, [](auto& stream, auto& light) {
         stream.parts(light.kind, light.p_world, light.direction_world, light.color);
-        stream.parts(light.is_physical, light.range, light.inner_range, light.node, light.colors);
+        stream.parts(light.is_physical, light.range, light.node);
     });
     of.list(reply.animation_names, kLeastTextBytes, pass_text);
     of.list(reply.notes, kLeastTextBytes, pass_text);

@@ -67,18 +67,16 @@ struct ImportedCamera {
     glm::dvec3 eye_world{0};
     glm::dvec3 target_world{0};
     glm::dvec3 up_world{0};
-    double fov_y_rad = 0;          ///< of a pinhole
-    scene::CameraMotion motion{};  ///< the same by the reply's nodes
-    double height_world = 0;       ///< that a parallel camera sees, else 0
+    double fov_y_rad = 0;                 ///< of a pinhole
+    std::uint32_t node = scene::kNoNode;  ///< of the reply's animation, in whose zero it stands
+    double height_world = 0;              ///< that a parallel camera sees, else 0
 };
 
 /// What sends light. Shading knows lamps that shine to all sides alone: see take_lights.
 enum class LightKind : std::uint32_t {
     point,
     spot,
-    area,
     distant,  ///< as the sun does, from one side and everywhere alike
-    ambient,  ///< from all sides
 };
 
 /// A light as a file gives it, made world space.
@@ -90,18 +88,20 @@ struct ImportedLight {
     /// Whether the strength is in candela, in lux that of a distant one; else a share of full
     /// light.
     bool is_physical = false;
-    double range = 0;  ///< world units, as scene::OmniLight has them
-    double inner_range = 0;
-    std::uint32_t node = scene::kNoNode;   ///< of the reply's animation, with which it goes
-    std::vector<scene::VectorKey> colors;  ///< of a colour that changes, else empty
+    double range = 0;                     ///< world units, as scene::OmniLight has it
+    std::uint32_t node = scene::kNoNode;  ///< of the reply's animation, with which it goes
 };
 
-/// What the user may choose of a file; it goes to the import child with the path.
-struct ImportChoice {
+/// What the user may choose of a model.
+struct ModelChoice {
     /// Which animation moves the scene: a name that the file has, else a number from 0; empty: the
     /// first.
     std::string animation;
-    bool has_texcoords = false;  ///< see ModelChoice
+    /// Objects of several materials become one object for each, so that seams stand between
+    /// materials, too. The import child is not told.
+    bool material_seams = false;
+    bool has_texcoords = false;  ///< OBJ's are kept, which splits vertices
+    [[nodiscard]] bool operator==(const ModelChoice&) const = default;
 };
 
 /// What the import child hands back. Nothing in it is checked: whoever reads it must not trust it.

@@ -98,10 +98,6 @@ double Morph::Target::at(std::optional<double> time_s) const {
     return time_s && !weights.empty() ? value_at(weights, course, *time_s) : weight;
 }
 
-glm::dvec3 LightMotion::color_at(double time_s) const {
-    return value_at(colors, Course<glm::dvec3>{}, time_s);
-}
-
 std::vector<glm::dmat4> world_from_nodes(const Animation& animation, std::optional<double> time_s) {
     std::vector<glm::dmat4> world;
     world.reserve(animation.nodes.size());

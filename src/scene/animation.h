@@ -112,23 +112,10 @@ struct Skin {
     std::vector<BoneWeight> weights;
 };
 
-/// How a camera goes with nodes: where it stands and what it looks at hang on one each.
-struct CameraMotion {
-    std::uint32_t eye_node = kNoNode;     ///< kNoNode: it stands still, and the rest says nothing
-    std::uint32_t target_node = kNoNode;  ///< some node if there is an eye_node; may be the same
-    glm::dvec3 p_eye{0};                  ///< in the eye's node
-    glm::dvec3 p_target{0};               ///< in the target's node
-    glm::dvec3 up{0};                     ///< a direction in the eye's node
-};
-
-/// How a lamp goes with a node, and how its colour changes.
+/// How a lamp goes with a node.
 struct LightMotion {
-    std::uint32_t node = kNoNode;     ///< kNoNode: it stands still
-    glm::dvec3 p_node{0};             ///< in the node
-    std::vector<VectorKey> colors{};  ///< empty: it keeps its colour
-
-    /// What it has at a time, held to the first and the last key; at least one key.
-    [[nodiscard]] glm::dvec3 color_at(double time_s) const;
+    std::uint32_t node = kNoNode;  ///< kNoNode: it stands still
+    glm::dvec3 p_node{0};          ///< in the node
 };
 
 /// Writes what each vertex follows into `skin`.
@@ -143,9 +130,11 @@ struct Animation {
     std::vector<std::uint32_t> node_of_instance;  ///< per instance; kNoNode: it stands still
     std::vector<VertexFrames> vertex_frames;      ///< per mesh, or empty
     std::vector<Skin> skins;
-    std::vector<CameraMotion> cameras{};  ///< per camera of the scene, or empty
-    std::vector<Morph> morphs{};          ///< at most one of a mesh
-    std::vector<LightMotion> lights{};    ///< per light of the scene, or empty
+    /// Per camera of the scene, or empty; kNoNode: it stands still. A camera stands in its node's
+    /// zero, looks along -z, and has y up.
+    std::vector<std::uint32_t> node_of_camera{};
+    std::vector<Morph> morphs{};        ///< at most one of a mesh
+    std::vector<LightMotion> lights{};  ///< per light of the scene, or empty
 
     /// The most frames that a mesh stores; 0 where motion is by keys alone.
     [[nodiscard]] std::size_t frame_count() const;

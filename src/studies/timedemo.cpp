@@ -130,11 +130,11 @@ scene::Sphere bounds_of_demo(const scene::Scene& scene, int frames) {
 
 /// Which of the scene's cameras a view is, if the animation moves that one.
 std::optional<std::size_t> moving_camera(const scene::Scene& scene, const scene::View& view) {
-    const std::size_t count = scene.animation ? scene.animation->cameras.size() : 0;
+    const std::size_t count = scene.animation ? scene.animation->node_of_camera.size() : 0;
     for (std::size_t c = 0; c < count; ++c) {
         const bool is_it = scene.cameras[c].name == view.camera.name &&
                            scene.cameras[c].eye_world == view.camera.eye_world;
-        if (is_it && scene.animation->cameras[c].eye_node != scene::kNoNode) return c;
+        if (is_it && scene.animation->node_of_camera[c] != scene::kNoNode) return c;
     }
     return std::nullopt;
 }

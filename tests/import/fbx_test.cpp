@@ -44,7 +44,7 @@ std::vector<glm::dvec3> corners_in(const ImportReply& reply) {
 }
 
 /// What a file holds, which must be the same however it is written.
-ImportReply read(const File& file, const ImportChoice& choice = {}) {
+ImportReply read(const File& file, const ModelChoice& choice = {}) {
     ImportReply reply = read_fbx_bytes(file.text(), choice);
     for (const fbx::Form form : {fbx::Form{}, {.is_wide = true}, {.is_packed = true}}) {
         const ImportReply other = read_fbx_bytes(file.bytes(form), choice);

@@ -37,13 +37,11 @@ ImportedLight point_at(const glm::dvec3& p_world, const glm::vec3& color) {
 TEST(ImportedLights, SharesOfFullLightStay) {
     ImportedLight lamp = point_at({0, 4, 0}, {0.5F, 0.25F, 0});
     lamp.range = 6;
-    lamp.inner_range = 2;
     const scene::Scene scene = scene_of({lamp});
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(scene.lights[0].p_world, glm::dvec3(0, 4, 0));
     EXPECT_EQ(scene.lights[0].color, glm::vec3(0.5F, 0.25F, 0));
     EXPECT_EQ(scene.lights[0].range, 6);
-    EXPECT_EQ(scene.lights[0].inner_range, 2);
 }
 
 TEST(ImportedLights, TheBrightestOfThoseAboveOneIsOne) {
@@ -85,17 +83,11 @@ TEST(ImportedLights, ADistantOneHangsFarAwayAgainstItsDirection) {
 TEST(ImportedLights, WhatIsNotAsInTheFileIsNoted) {
     ImportedLight spot = point_at({0, 4, 0}, glm::vec3(1));
     spot.kind = LightKind::spot;
-    ImportedLight area = spot;
-    area.kind = LightKind::area;
-    ImportedLight ambient = spot;
-    ambient.kind = LightKind::ambient;
     ImportedLight lost = point_at({std::numeric_limits<double>::quiet_NaN(), 0, 0}, glm::vec3(1));
-    const scene::Scene scene = scene_of({spot, spot, area, ambient, lost});
-    EXPECT_EQ(scene.lights.size(), 3U);
+    const scene::Scene scene = scene_of({spot, spot, lost});
+    EXPECT_EQ(scene.lights.size(), 2U);
     EXPECT_THAT(scene.file.notes,
                 ElementsAre("2 spotlights shine to all sides",
-                            "1 area light shines from its middle",
-                            "1 ambient light is not heeded",
                             "1 light of impossible numbers is not heeded"));
 }
 

@@ -84,9 +84,7 @@ TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
     motion.nodes = {mover({0, 0, 0}, {1, 0, 0}, 1), scene::AnimatedNode{}, scene::AnimatedNode{}};
     motion.nodes[1].parent = 0;
     const auto camera = [](std::uint32_t node) {
-        ImportedCamera one{"c", {0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.7};
-        one.motion = {node, node, {0, 0, 5}, {0, 0, 0}, {0, 1, 0}};
-        return one;
+        return ImportedCamera{"c", {0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.7, node};
     };
     ImportedCamera flat = camera(0);
     flat.fov_y_rad = 0;
@@ -95,15 +93,14 @@ TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
     ImportReply still = reply;
     still.cameras = {camera(2)};
     ImportReply lost = reply;
-    lost.cameras[1].motion.eye_node = 3;
+    lost.cameras[1].node = 3;
     EXPECT_EQ(complaint(lost), "animation: a camera hangs on node 3");
     const scene::Scene scene = scene_of(reply);
-    const auto& cameras = scene.animation->cameras;
-    ASSERT_EQ(cameras.size(), 3U) << "the one that cannot be is out of both lists";
-    EXPECT_EQ(cameras[0].eye_node, 1U) << "by its parent";
-    EXPECT_EQ(cameras[1].eye_node, scene::kNoNode);
-    EXPECT_EQ(cameras[2].eye_node, scene::kNoNode);
-    EXPECT_TRUE(scene_of(still).animation->cameras.empty());
+    EXPECT_EQ(scene.cameras.size(), 3U) << "the one that cannot be is out of both lists";
+    EXPECT_EQ(scene.animation->node_of_camera,
+              (std::vector<std::uint32_t>{1, scene::kNoNode, scene::kNoNode}))
+        << "the first moves by its parent";
+    EXPECT_TRUE(scene_of(still).animation->node_of_camera.empty());
 }
 
 TEST(ImportedScene, MotionThatTakesNoTimeIsNone) {

@@ -258,81 +258,72 @@ TEST(AnimationCheck, RefusesKeysThatAreNone) {
     EXPECT_EQ(complaint(scene, [](Animation& a) { a.duration_s = kNan; }), "it lasts nan s");
 }
 
-/// The cubes, and a camera at `p_eye` in the mover's node that looks at that node's origin.
-Scene filmed_cubes(const glm::dvec3& p_eye) {
+/// The cubes, and a camera in the mover's node.
+Scene filmed_cubes() {
     Scene scene = moving_cubes();
     scene.cameras = {look_at({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 0.7)};
     scene.cameras[0].near = 3;
     Animation animation = *scene.animation;
-    animation.cameras = {{0, 0, p_eye, {0, 0, 0}, {0, 1, 0}}};
+    animation.node_of_camera = {0};
     scene.animation = std::make_shared<const Animation>(animation);
     return scene;
 }
 
 TEST(AnimationCamera, GoesWithItsNode) {
-    Scene scene = filmed_cubes({0, 0, 9});
+    Scene scene = filmed_cubes();
     check_animation(scene, *scene.animation);
     pose_scene(scene, 3);
     const Camera& camera = scene.cameras[0];
-    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(5, 2, 12)), 1e-12);
+    expect_near(camera.eye_world, {5, 2, 3});
     // The node has turned by 90 degrees about z: its up is -x.
-    EXPECT_LT(glm::length(camera.view_from_world * glm::dvec3(-1, 0, 0) - glm::dvec3(0, 1, 0)),
-              1e-12);
+    expect_near(camera.view_from_world * glm::dvec3(-1, 0, 0), {0, 1, 0});
+    expect_near(camera.view_from_world * glm::dvec3(0, 0, -1), {0, 0, -1});
     EXPECT_EQ(camera.near, 3);
     EXPECT_EQ(camera.fov_y_rad, 0.7);
 }
 
-TEST(AnimationCamera, OneInsideItsTargetLooksAlongMinusZ) {
-    Scene scene = filmed_cubes({0, 0, 0});
-    pose_scene(scene, 1);
-    EXPECT_EQ(scene.cameras[0].eye_world, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat3(1));
-}
-
-TEST(AnimationCamera, OneInsideItsTargetLooksAlongMinusZWhereOneIsLostInRounding) {
-    Scene scene = filmed_cubes({3e20, 0, 0});
-    Animation animation = *scene.animation;
-    animation.cameras[0].p_target = animation.cameras[0].p_eye;
-    scene.animation = std::make_shared<const Animation>(animation);
-    check_animation(scene, animation);
-    pose_scene(scene, 1);
-    EXPECT_EQ(scene.cameras[0].eye_world.x, 3e20);
-    EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat3(1));
+TEST(AnimationCamera, OneInANodeSqueezedFlatLooksAlongMinusZ) {
+    for (const double x : {1.0, 3e20}) {  // where a step of 1 is lost in rounding, too
+        Scene scene = filmed_cubes();
+        Animation animation = *scene.animation;
+        animation.nodes[0].translations = {{0, {x, 2, 3}}};
+        animation.nodes[0].rotations = {{0, {1, 0, 0, 0}}};
+        animation.nodes[0].scales = {{0, {0, 0, 0}}};
+        scene.animation = std::make_shared<const Animation>(animation);
+        check_animation(scene, animation);
+        pose_scene(scene, 1);
+        EXPECT_EQ(scene.cameras[0].eye_world, glm::dvec3(x, 2, 3));
+        EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat3(1));
+    }
 }
 
 TEST(AnimationCamera, OnesWithoutANodeStay) {
-    Scene scene = filmed_cubes({0, 0, 9});
+    Scene scene = filmed_cubes();
     Animation animation = *scene.animation;
-    animation.cameras[0] = {};
+    animation.node_of_camera = {kNoNode};
     scene.animation = std::make_shared<const Animation>(animation);
     pose_scene(scene, 3);
     EXPECT_EQ(scene.cameras[0].eye_world, glm::dvec3(0, 0, 9));
 }
 
-/// The cubes, and two lights: one at (1, 0, 0) in the mover's node, one that stands and turns from
-/// red to blue.
+/// The cubes, and two lights: one at (1, 0, 0) in the mover's node, one that stands.
 Scene lit_cubes() {
     Scene scene = moving_cubes();
     scene.lights = {{.p_world = {2, 2, 3}, .color = {1, 0, 0}, .range = 5},
                     {.p_world = {0, 9, 0}, .color = {1, 0, 0}, .range = 0}};
     Animation animation = *scene.animation;
-    animation.lights = {{0, {1, 0, 0}, {}}, {kNoNode, {}, {{1, {1, 0, 0}}, {3, {0, 0, 1}}}}};
+    animation.lights = {{0, {1, 0, 0}}, {}};
     scene.animation = std::make_shared<const Animation>(animation);
     return scene;
 }
 
-TEST(AnimationLight, GoesWithItsNodeOrTurnsColour) {
+TEST(AnimationLight, GoesWithItsNode) {
     Scene scene = lit_cubes();
     pose_scene(scene, 3);
     expect_near(scene.lights[0].p_world, {5, 3, 3});
     EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0, 0));
     EXPECT_EQ(scene.lights[0].range, 5);
     EXPECT_EQ(scene.lights[1].p_world, glm::dvec3(0, 9, 0));
-    EXPECT_EQ(scene.lights[1].color, glm::vec3(0, 0, 1));
-    pose_scene(scene, 2);
-    EXPECT_EQ(scene.lights[1].color, glm::vec3(0.5F, 0, 0.5F));
-    rest_scene(scene);
-    EXPECT_EQ(scene.lights[1].color, glm::vec3(1, 0, 0));
 }
 
 TEST(AnimationCheck, RefusesLightsThatDoNotFit) {
@@ -344,8 +335,6 @@ TEST(AnimationCheck, RefusesLightsThatDoNotFit) {
               "a light hangs on node 2");
     EXPECT_EQ(complaint(scene, [](Animation& a) { a.lights[0].p_node.x = kNan; }),
               "a light has a place that is not finite");
-    EXPECT_EQ(complaint(scene, [](Animation& a) { a.lights[1].colors[1].time_s = 0; }),
-              "colours of a light, key 1 goes back in time");
     EXPECT_THAT(complaint(scene, [](Animation& a) { a.lights[0].p_node.x = 1e40; }),
                 testing::HasSubstr("it may reach"));
 }
@@ -366,18 +355,11 @@ TEST(BoundsOfPoses, HoldTheSceneInAllOfThem) {
 }
 
 TEST(AnimationCheck, RefusesCamerasThatDoNotFit) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    const Scene scene = filmed_cubes({0, 0, 9});
-    EXPECT_EQ(complaint(scene, [](Animation& a) { a.cameras.resize(2); }),
+    const Scene scene = filmed_cubes();
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.node_of_camera.resize(2); }),
               "it moves 2 cameras of 1");
-    EXPECT_EQ(complaint(scene, [](Animation& a) { a.cameras[0].target_node = 2; }),
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.node_of_camera = {2}; }),
               "a camera hangs on node 2");
-    EXPECT_EQ(complaint(scene, [](Animation& a) { a.cameras[0].up.x = kNan; }),
-              "a camera has a place that is not finite");
-    EXPECT_THAT(complaint(scene, [](Animation& a) { a.cameras[0].p_eye.x = 1e40; }),
-                testing::StartsWith("it may reach"));
-    EXPECT_THAT(complaint(scene, [](Animation& a) { a.cameras[0].up.x = 1e200; }),
-                testing::StartsWith("it may reach"));
 }
 
 TEST(AnimationCheck, RefusesWhatDoesNotFitTheScene) {

@@ -56,7 +56,7 @@ class FbxReader {
           world_from_file_(y_up_from_fbx(axes_of(document.settings()))),
           models_(read_fbx_models(document, world_from_file_)) {}
 
-    ImportReply read(const ImportChoice& choice) {
+    ImportReply read(const ModelChoice& choice) {
         if (has_motion()) note_rest_alone(choice, reply_.notes);
         for (const FbxObject* material : document_.all("Material")) {
             number_of_[material] = static_cast<std::uint32_t>(reply_.base_colors.size());
@@ -264,7 +264,7 @@ class FbxReader {
 
 }  // namespace
 
-std::optional<ImportReply> read_fbx(const std::filesystem::path& path, const ImportChoice& choice) {
+std::optional<ImportReply> read_fbx(const std::filesystem::path& path, const ModelChoice& choice) {
     const std::string head = head_of(path);
     const bool is_named = lower_case(path.extension().string()) == ".fbx" && !is_utf16(head);
     if (!is_fbx_binary(head) && !without_mark(head).starts_with("; FBX") && !is_named)
@@ -273,7 +273,7 @@ std::optional<ImportReply> read_fbx(const std::filesystem::path& path, const Imp
     return read_fbx_bytes(without_mark(text_of(bytes)), choice);
 }
 
-ImportReply read_fbx_bytes(std::string_view file, const ImportChoice& choice) {
+ImportReply read_fbx_bytes(std::string_view file, const ModelChoice& choice) {
     return FbxReader(FbxDocument(file)).read(choice);
 }
 

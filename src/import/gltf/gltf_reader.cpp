@@ -20,7 +20,7 @@ constexpr unsigned kSmallSigned = kByte | kShort;
 class GltfReader {
   public:
     GltfReader(const GltfDocument& document,
-               const ImportChoice& choice,
+               const ModelChoice& choice,
                std::vector<std::string> notes)
         : document_(document),
           buffers_(document),
@@ -240,15 +240,14 @@ void GltfReader::take_camera(std::size_t node) {
         json.fail("type is " + type, "perspective or orthographic");
     const std::uint32_t own = tree_.number_of[node];
     const glm::dmat4& world = tree_.world_from_node[own];
-    const glm::dvec3 view_direction{0, 0, -1}, up{0, 1, 0};
     const glm::dvec3 eye_world = world[3];
     reply_.cameras.push_back({.name = name,
                               .eye_world = eye_world,
-                              .target_world = eye_world + glm::dmat3(world) * view_direction,
-                              .up_world = glm::dmat3(world) * up,
+                              .target_world = eye_world + glm::dmat3(world) * glm::dvec3(0, 0, -1),
+                              .up_world = glm::dmat3(world) * glm::dvec3(0, 1, 0),
                               .fov_y_rad = is_parallel ? scene::Camera{}.fov_y_rad
                                                        : json.at("perspective").number("yfov"),
-                              .motion = {own, own, glm::dvec3{0}, view_direction, up},
+                              .node = own,
                               .height_world = is_parallel ? height_of(json.at(type.c_str())) : 0});
 }
 
@@ -285,14 +284,13 @@ ImportReply GltfReader::read() {
 
 }  // namespace
 
-ImportReply read_gltf(const GltfDocument& document, const ImportChoice& choice) {
+ImportReply read_gltf(const GltfDocument& document, const ModelChoice& choice) {
     std::vector<std::string> notes;
     check_extensions(document, notes);
     return GltfReader(document, choice, std::move(notes)).read();
 }
 
-std::optional<ImportReply> read_gltf(const std::filesystem::path& path,
-                                     const ImportChoice& choice) {
+std::optional<ImportReply> read_gltf(const std::filesystem::path& path, const ModelChoice& choice) {
     const auto document = open_gltf(path);
     if (!document) return std::nullopt;
     return read_gltf(*document, choice);

@@ -13,9 +13,9 @@ namespace ink::import {
 /// Throws Error that names the place in the file if anything in it is wrong, and Refusal if it
 /// needs what is not read.
 [[nodiscard]] std::optional<ImportReply> read_gltf(const std::filesystem::path& path,
-                                                   const ImportChoice& choice);
+                                                   const ModelChoice& choice);
 
 /// As above, of a document that is open.
-[[nodiscard]] ImportReply read_gltf(const GltfDocument& document, const ImportChoice& choice);
+[[nodiscard]] ImportReply read_gltf(const GltfDocument& document, const ModelChoice& choice);
 
 }  // namespace ink::import

@@ -245,21 +245,14 @@ void check_morphs(const Scene& scene, const Animation& animation, const Complain
 }
 
 void check_cameras(const Scene& scene, const Animation& animation, const Complaint& complain) {
-    complain.unless(
-        animation.cameras.empty() || animation.cameras.size() == scene.cameras.size(),
-        fmt::format("it moves {} cameras of {}", animation.cameras.size(), scene.cameras.size()),
-        "none, or as many as there are");
-    for (const CameraMotion& camera : animation.cameras) {
-        if (camera.eye_node == kNoNode) continue;
-        for (const std::uint32_t node : {camera.eye_node, camera.target_node}) {
-            complain.unless(node < animation.nodes.size(),
-                            fmt::format("a camera hangs on node {}", node),
-                            fmt::format("one of {} nodes", animation.nodes.size()));
-        }
-        complain.unless(
-            is_finite(camera.p_eye) && is_finite(camera.p_target) && is_finite(camera.up),
-            "a camera has a place that is not finite",
-            "finite numbers");
+    const auto& node_of = animation.node_of_camera;
+    complain.unless(node_of.empty() || node_of.size() == scene.cameras.size(),
+                    fmt::format("it moves {} cameras of {}", node_of.size(), scene.cameras.size()),
+                    "none, or as many as there are");
+    for (const std::uint32_t node : node_of) {
+        complain.unless(node == kNoNode || node < animation.nodes.size(),
+                        fmt::format("a camera hangs on node {}", node),
+                        fmt::format("one of {} nodes", animation.nodes.size()));
     }
 }
 
@@ -274,7 +267,6 @@ void check_lights(const Scene& scene, const Animation& animation, const Complain
                         fmt::format("one of {} nodes", animation.nodes.size()));
         complain.unless(
             is_finite(light.p_node), "a light has a place that is not finite", "finite numbers");
-        check_keys(light.colors, Course<glm::dvec3>{}, "colours of a light", complain);
     }
 }
 

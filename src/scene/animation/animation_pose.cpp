@@ -111,35 +111,19 @@ void pose_skin(const Skin& skin,
     }
 }
 
-/// Where a camera stands and looks at the moment. One that stands in what it looks at looks along
-/// -z.
-void pose_camera(const CameraMotion& motion,
-                 const std::vector<glm::dmat4>& world_from_node,
-                 Camera& camera) {
-    if (motion.eye_node == kNoNode) return;
-    const glm::dmat4& world_from_eye = world_from_node[motion.eye_node];
-    const glm::dvec3 eye_world = world_from_eye * glm::dvec4(motion.p_eye, 1);
-    glm::dvec3 target_world = world_from_node[motion.target_node] * glm::dvec4(motion.p_target, 1);
+/// Where a camera stands and looks at the moment. One whose node is squeezed flat looks along -z.
+void pose_camera(const glm::dmat4& world_from_eye, Camera& camera) {
+    const glm::dvec3 eye_world = world_from_eye * glm::dvec4(0, 0, 0, 1);
+    glm::dvec3 target_world = world_from_eye * glm::dvec4(0, 0, -1, 1);
     if (glm::length(target_world - eye_world) == 0) {
         // Far out a step of 1 would be lost in rounding.
         target_world.z -= std::max(1.0, glm::length(eye_world));
     }
-    const Camera posed =
-        look_at(eye_world, target_world, glm::dmat3(world_from_eye) * motion.up, camera.fov_y_rad);
+    const glm::dvec3 up = glm::dmat3(world_from_eye) * glm::dvec3(0, 1, 0);
+    const Camera posed = look_at(eye_world, target_world, up, camera.fov_y_rad);
     camera.eye_world = posed.eye_world;
     camera.view_from_world = posed.view_from_world;
     camera.sight_world = posed.sight_world;
-}
-
-/// Where a light stands at the moment, and its colour; without a time, that of its first key.
-void pose_light(const LightMotion& motion,
-                const std::vector<glm::dmat4>& world_from_node,
-                std::optional<double> time_s,
-                OmniLight& light) {
-    if (motion.node != kNoNode)
-        light.p_world = world_from_node[motion.node] * glm::dvec4(motion.p_node, 1);
-    if (motion.colors.empty()) return;
-    light.color = motion.color_at(time_s.value_or(motion.colors.front().time_s));
 }
 
 /// The stored frame at a time, its fraction the way to the next one.
@@ -175,10 +159,14 @@ void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
                   world,
                   mesh);
     }
-    for (std::size_t c = 0; c < animation.cameras.size(); ++c)
-        pose_camera(animation.cameras[c], world, scene.cameras[c]);
-    for (std::size_t l = 0; l < animation.lights.size(); ++l)
-        pose_light(animation.lights[l], world, time_s, scene.lights[l]);
+    for (std::size_t c = 0; c < animation.node_of_camera.size(); ++c) {
+        const std::uint32_t node = animation.node_of_camera[c];
+        if (node != kNoNode) pose_camera(world[node], scene.cameras[c]);
+    }
+    for (std::size_t l = 0; l < animation.lights.size(); ++l) {
+        const auto& [node, p_node] = animation.lights[l];
+        if (node != kNoNode) scene.lights[l].p_world = world[node] * glm::dvec4(p_node, 1);
+    }
 }
 
 }  // namespace

@@ -130,13 +130,8 @@ double farthest_reach(const Scene& scene, const Animation& animation) {
     }
     for (const Morph& morph : animation.morphs)
         add(radii[morph.mesh]);
-    for (const CameraMotion& camera : animation.cameras) {
-        if (camera.eye_node == kNoNode) continue;
-        add(reach[camera.eye_node].of(glm::length(camera.p_eye)));
-        // Its up is turned and scaled, not moved.
-        add(reach[camera.eye_node].grows * glm::length(camera.up));
-        add(reach[camera.target_node].of(glm::length(camera.p_target)));
-    }
+    for (const std::uint32_t node : animation.node_of_camera)
+        if (node != kNoNode) add(reach[node].of(1));  // what it looks at
     for (const LightMotion& light : animation.lights)
         if (light.node != kNoNode) add(reach[light.node].of(glm::length(light.p_node)));
     for (const Skin& skin : animation.skins) {
