@@ -24,26 +24,9 @@ void PrintTo(const Target& target, std::ostream* out) {
     *out << target.name;
 }
 
-constexpr Target kTargets[] = {
-    {"camera_json", check_camera_json},
-    {"entrant_image", check_entrant_image},
-    {"entrant_times", check_entrant_times},
-    {"experiment", check_experiment},
-    {"fbx", check_fbx},
-    {"kept_truth", check_kept_truth},
-    {"matching", check_matching},
-    {"mesh_pass", check_mesh_pass},
-    {"obj", check_obj},
-    {"off", check_off},
-    {"ply", check_ply},
-    {"predicates", check_predicates},
-    {"preset", check_preset},
-    {"quake_models", check_quake_models},
-    {"rasterizer", check_rasterizer},
-    {"scene_stream", check_scene_stream},
-    {"score", check_score},
-    {"stl", check_stl},
-};
+#define INK_FUZZ_LISTED(name) {#name, check_##name},
+constexpr Target kTargets[] = {INK_FUZZ_TARGETS(INK_FUZZ_LISTED)};
+#undef INK_FUZZ_LISTED
 
 std::set<fs::path> corpus_of(const std::string& target) {
     std::set<fs::path> files;

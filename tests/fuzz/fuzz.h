@@ -97,26 +97,30 @@ void expect_usable(const std::string& law, const Use& use) {
 /// or a clear Error. Throws BrokenLaw if not.
 void expect_scene_or_error(const import::ImportReply& reply);
 
-// The targets: each takes any bytes, and throws BrokenLaw if a law does not hold of them.
+/// All targets: check_TARGET takes any bytes, and throws BrokenLaw if a law does not hold of them.
+#define INK_FUZZ_TARGETS(TARGET) \
+    TARGET(camera_json)          \
+    TARGET(entrant_image)        \
+    TARGET(entrant_times)        \
+    TARGET(experiment)           \
+    TARGET(fbx)                  \
+    TARGET(gltf)                 \
+    TARGET(kept_truth)           \
+    TARGET(matching)             \
+    TARGET(mesh_pass)            \
+    TARGET(obj)                  \
+    TARGET(off)                  \
+    TARGET(ply)                  \
+    TARGET(predicates)           \
+    TARGET(preset)               \
+    TARGET(quake_models)         \
+    TARGET(rasterizer)           \
+    TARGET(scene_stream)         \
+    TARGET(score)                \
+    TARGET(stl)
 
-void check_camera_json(Bytes bytes);
-void check_entrant_image(Bytes bytes);
-void check_entrant_times(Bytes bytes);
-void check_experiment(Bytes bytes);
-void check_fbx(Bytes bytes);
-void check_gltf(Bytes bytes);
-void check_kept_truth(Bytes bytes);
-void check_matching(Bytes bytes);
-void check_mesh_pass(Bytes bytes);
-void check_obj(Bytes bytes);
-void check_off(Bytes bytes);
-void check_ply(Bytes bytes);
-void check_predicates(Bytes bytes);
-void check_preset(Bytes bytes);
-void check_quake_models(Bytes bytes);
-void check_rasterizer(Bytes bytes);
-void check_scene_stream(Bytes bytes);
-void check_score(Bytes bytes);
-void check_stl(Bytes bytes);
+#define INK_FUZZ_DECLARED(name) void check_##name(Bytes bytes);
+INK_FUZZ_TARGETS(INK_FUZZ_DECLARED)
+#undef INK_FUZZ_DECLARED
 
 }  // namespace ink::fuzz

@@ -1,4 +1,4 @@
-// What must hold of any reply of a reader of models.
+// What must hold of any reply of a reader of models, and of any bytes in the place of one.
 
 #include <vector>
 
@@ -42,6 +42,11 @@ void expect_scene_or_error(const import::ImportReply& reply) {
         scene::check_scene(*scene);
         if (scene->animation) check_poses(*scene);
     });
+}
+
+void check_scene_stream(Bytes bytes) {
+    const auto reply = import::read_reply(std::as_bytes(bytes));
+    if (reply) expect_scene_or_error(*reply);
 }
 
 }  // namespace ink::fuzz

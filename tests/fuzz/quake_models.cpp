@@ -10,13 +10,17 @@
 namespace ink::fuzz {
 namespace {
 
-import::ModelBytes model_bytes(Bytes bytes){const auto all = std::as_bytes(bytes);
-return {"", {all.begin(), all.end()}};
-}  // namespace
+using import::Md3File;
+using import::ModelBytes;
 
-import::Md3File part(const char* name, const std::string& text){
+ModelBytes model_bytes(Bytes bytes) {
+    const auto all = std::as_bytes(bytes);
+    return {"", {all.begin(), all.end()}};
+}
+
+Md3File part(const char* name, const std::string& text) {
     return {name, model_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})};
-}  // namespace ink::fuzz
+}
 
 template <class Read>
 void check_reader(Read read) {
@@ -28,9 +32,9 @@ void check_reader(Read read) {
 
 /// Alone, and as each part of a player that carries another.
 void check_md3(Bytes bytes) {
-    const import::Md3File lower = part("lower", import::md3_file(3, "tag_torso"));
-    const import::Md3File upper = part("upper", import::md3_file(2, "tag_head"));
-    const import::Md3File head = part("head", import::md3_file(1, "tag_none"));
+    const Md3File lower = part("lower", import::md3_file(3, "tag_torso"));
+    const Md3File upper = part("upper", import::md3_file(2, "tag_head"));
+    const Md3File head = part("head", import::md3_file(1, "tag_none"));
     check_reader([&] { return import::read_md3({{"alone", model_bytes(bytes)}}); });
     check_reader([&] { return import::read_md3({{"lower", model_bytes(bytes)}, upper, head}); });
     check_reader([&] { return import::read_md3({lower, {"upper", model_bytes(bytes)}, head}); });

@@ -1,29 +1,36 @@
-// Any file in the place of an entrant's image is an image of the view's size, or an Error.
+// Any file in the place of an entrant's image is an image of the view's size, or an Error; any text
+// in the place of its times.csv is read, or an Error.
+
+#include <zlib.h>
 
 #include <array>
+#include <fstream>
+#include <stdexcept>
 #include <vector>
 
+#include "core/tables/csv_table.h"
 #include "entrants/image_folder.h"
 #include "image_io/picture_file.h"
 #include "score/polarity.h"
+#include "tests/core/temp_folder.h"
 #include "tests/fuzz/fuzz.h"
-#include "tests/fuzz/scratch_file.h"
 
 namespace ink::fuzz {
 namespace {
 
-constexpr std::array<std::uint8_t, 8> kPngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-
-/// The checksum of a chunk: CRC-32 as PNG and zlib have it.
-std::uint32_t checksum(Bytes bytes) {
-    std::uint32_t rest = 0xffffffffU;
-    for (const std::uint8_t byte : bytes) {
-        rest ^= byte;
-        for (int bit = 0; bit < 8; ++bit)
-            rest = rest >> 1 ^ ((rest & 1U) != 0 ? 0xedb88320U : 0U);
-    }
-    return ~rest;
+/// A file called `name` that holds `bytes`, in a folder of this process. It is written over by the
+/// next call of that name; the folder is removed at the end.
+std::filesystem::path scratch_file(const std::string& name, Bytes bytes) {
+    static const core::TempFolder folder;
+    const std::filesystem::path path = folder / name;
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    if (!file.flush()) throw std::runtime_error("no room for a file");
+    return path;
 }
+
+constexpr std::array<std::uint8_t, 8> kPngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 std::uint32_t big_endian(const std::uint8_t* bytes) {
     return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
@@ -39,12 +46,22 @@ std::vector<std::uint8_t> with_checksums(Bytes bytes) {
     while (file.size() - at >= 12) {
         const std::size_t length = big_endian(file.data() + at);
         if (length > file.size() - at - 12) break;
-        const std::uint32_t sum = checksum(Bytes(file).subspan(at + 4, length + 4));
+        const uLong sum = crc32_z(0, file.data() + at + 4, length + 4);
         for (std::size_t i = 0; i < 4; ++i)
             file[at + 8 + length + i] = static_cast<std::uint8_t>(sum >> (24 - 8 * i));
         at += length + 12;
     }
     return file;
+}
+
+void check_table(const std::string& text) {
+    const auto table = unless_refused([&] { return core::split_csv(text, "times.csv"); });
+    if (!table) return;
+    expect(table->lines.size() == table->records.size(), "each record has a line");
+    for (std::size_t i = 0; i < table->records.size(); ++i) {
+        expect(table->records[i].size() == table->columns.size(), "each record has every column");
+        expect(i == 0 || table->lines[i] > table->lines[i - 1], "lines go on");
+    }
 }
 
 }  // namespace
@@ -66,6 +83,12 @@ void check_entrant_image(Bytes bytes) {
     });
     ++view.width_px;
     expect(!unless_refused(read), "an image of another size is refused");
+}
+
+void check_entrant_times(Bytes bytes) {
+    check_table({bytes.begin(), bytes.end()});
+    const auto path = scratch_file("times.csv", bytes);
+    (void)unless_refused([&] { return entrants::image_folder_source(path.parent_path()); });
 }
 
 }  // namespace ink::fuzz
