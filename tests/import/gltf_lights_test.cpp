@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using GltfLights = ModelFiles;
 
 /// A cube with lights, each at a node of its own; the cube's is node 0.
-GlbFile lit_cube(const std::vector<Json>& lights, const std::vector<Json>& places) {
+GlbFile lit_file(const std::vector<Json>& lights, const std::vector<Json>& places) {
     GlbFile file = cube_file();
     file.json["extensionsUsed"] = {"KHR_lights_punctual"};
     file.json["extensions"]["KHR_lights_punctual"]["lights"] = lights;
@@ -31,7 +31,7 @@ GlbFile lit_cube(const std::vector<Json>& lights, const std::vector<Json>& place
 
 TEST_F(GltfLights, HavePlaceColourAndRange) {
     const GlbFile file =
-        lit_cube({{{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 40}, {"range", 6}}},
+        lit_file({{{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 40}, {"range", 6}}},
                  {{{"translation", {0, 4, 0}}, {"scale", {3, 3, 3}}}});
     const scene::Scene scene = import_scene(write("lit.glb", file.bytes()));
     ASSERT_EQ(scene.lights.size(), 1U);
@@ -44,7 +44,7 @@ TEST_F(GltfLights, HavePlaceColourAndRange) {
 TEST_F(GltfLights, AreWhiteReachEverywhereAndOfOneCandelaUnlessSaid) {
     // Both 4.5 from the cube's middle: one candela counts for half of two.
     const GlbFile file =
-        lit_cube({{{"type", "point"}}, {{"type", "point"}, {"intensity", 2}}},
+        lit_file({{{"type", "point"}}, {{"type", "point"}, {"intensity", 2}}},
                  {{{"translation", {0.5, 5, 0.5}}}, {{"translation", {0.5, -4, 0.5}}}});
     const scene::Scene scene = import_scene(write("plain.glb", file.bytes()));
     ASSERT_EQ(scene.lights.size(), 2U);
@@ -54,7 +54,7 @@ TEST_F(GltfLights, AreWhiteReachEverywhereAndOfOneCandelaUnlessSaid) {
 }
 
 TEST_F(GltfLights, SunsShineAlongMinusZOfTheirNodesAndSpotsAreNoted) {
-    const GlbFile file = lit_cube({{{"type", "directional"}, {"range", 2}},
+    const GlbFile file = lit_file({{{"type", "directional"}, {"range", 2}},
                                    {{"type", "spot"}, {"spot", Json::object()}},
                                    {{"type", "beam"}}},
                                   {{{"rotation", {-0.7071067811865476, 0, 0, 0.7071067811865476}}},
@@ -70,7 +70,7 @@ TEST_F(GltfLights, SunsShineAlongMinusZOfTheirNodesAndSpotsAreNoted) {
 }
 
 TEST_F(GltfLights, GoWithTheirNodes) {
-    GlbFile file = lit_cube({{{"type", "point"}}}, {{{"translation", {0, 4, 0}}}});
+    GlbFile file = lit_file({{{"type", "point"}}}, {{{"translation", {0, 4, 0}}}});
     animate(file, 1, "translation", file.accessor<float>({0, 4, 0, 6, 4, 0}, "VEC3"), {0, 2});
     scene::Scene scene = import_scene(write("moving.glb", file.bytes()));
     ASSERT_EQ(scene.lights.size(), 1U);
@@ -79,10 +79,10 @@ TEST_F(GltfLights, GoWithTheirNodes) {
 }
 
 TEST_F(GltfLights, HiddenOnesAreNoneAndOnesThatAreNotThereAreRefused) {
-    GlbFile hidden = lit_cube({{{"type", "point"}}}, {Json::object()});
+    GlbFile hidden = lit_file({{{"type", "point"}}}, {Json::object()});
     hidden.json["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = false;
     EXPECT_TRUE(import_scene(write("hidden.glb", hidden.bytes())).lights.empty());
-    GlbFile lost = lit_cube({{{"type", "point"}}}, {Json::object()});
+    GlbFile lost = lit_file({{{"type", "point"}}}, {Json::object()});
     lost.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 3;
     EXPECT_THAT(complaint(write("lost.glb", lost.bytes())), HasSubstr("light is 3"));
 }

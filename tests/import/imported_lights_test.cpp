@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "import/imported_scene.h"
 #include "tests/import/fbx_files.h"
 #include "tests/import/imported_meshes.h"
 #include "tests/import/model_files.h"
@@ -17,14 +16,14 @@ using testing::ElementsAre;
 using ImportLights = ModelFiles;
 
 /// A cube about zero with lights.
-ImportReply lit_cube(std::vector<ImportedLight> lights) {
+ImportReply lit_reply(std::vector<ImportedLight> lights) {
     ImportReply reply = cube_reply();
     reply.lights = std::move(lights);
     return reply;
 }
 
-scene::Scene scene_of(std::vector<ImportedLight> lights) {
-    return scene_from_reply(lit_cube(std::move(lights)), "dir/cube.x", 1000);
+scene::Scene lit_by(std::vector<ImportedLight> lights) {
+    return scene_from(lit_reply(std::move(lights)));
 }
 
 ImportedLight point_at(const glm::dvec3& p_world, const glm::vec3& color) {
@@ -37,7 +36,7 @@ ImportedLight point_at(const glm::dvec3& p_world, const glm::vec3& color) {
 TEST(ImportedLights, SharesOfFullLightStay) {
     ImportedLight lamp = point_at({0, 4, 0}, {0.5F, 0.25F, 0});
     lamp.range = 6;
-    const scene::Scene scene = scene_of({lamp});
+    const scene::Scene scene = lit_by({lamp});
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(scene.lights[0].p_world, glm::dvec3(0, 4, 0));
     EXPECT_EQ(scene.lights[0].color, glm::vec3(0.5F, 0.25F, 0));
@@ -46,7 +45,7 @@ TEST(ImportedLights, SharesOfFullLightStay) {
 
 TEST(ImportedLights, TheBrightestOfThoseAboveOneIsOne) {
     const scene::Scene scene =
-        scene_of({point_at({0, 4, 0}, {1000, 500, 0}), point_at({0, 5, 0}, {250, 0, 0})});
+        lit_by({point_at({0, 4, 0}, {1000, 500, 0}), point_at({0, 5, 0}, {250, 0, 0})});
     ASSERT_EQ(scene.lights.size(), 2U);
     EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0));
     EXPECT_EQ(scene.lights[1].color, glm::vec3(0.25F, 0, 0));
@@ -60,7 +59,7 @@ TEST(ImportedLights, CandelaCountByWhatArrivesInTheMiddle) {
     sun.kind = LightKind::distant;
     sun.direction_world = {0, -3, 0};
     near.is_physical = far.is_physical = sun.is_physical = true;
-    const scene::Scene scene = scene_of({near, far, sun});
+    const scene::Scene scene = lit_by({near, far, sun});
     ASSERT_EQ(scene.lights.size(), 3U);
     EXPECT_EQ(scene.lights[0].color.r, 1);
     EXPECT_EQ(scene.lights[1].color.r, 0.25F);
@@ -72,7 +71,7 @@ TEST(ImportedLights, ADistantOneHangsFarAwayAgainstItsDirection) {
     sun.kind = LightKind::distant;
     sun.direction_world = {0, -3, 0};
     sun.range = 7;
-    const scene::Scene scene = scene_of({sun});
+    const scene::Scene scene = lit_by({sun});
     ASSERT_EQ(scene.lights.size(), 1U);
     const glm::dvec3& p_world = scene.lights[0].p_world;
     EXPECT_GT(p_world.y, 500);
@@ -84,7 +83,7 @@ TEST(ImportedLights, WhatIsNotAsInTheFileIsNoted) {
     ImportedLight spot = point_at({0, 4, 0}, glm::vec3(1));
     spot.kind = LightKind::spot;
     ImportedLight lost = point_at({std::numeric_limits<double>::quiet_NaN(), 0, 0}, glm::vec3(1));
-    const scene::Scene scene = scene_of({spot, spot, lost});
+    const scene::Scene scene = lit_by({spot, spot, lost});
     EXPECT_EQ(scene.lights.size(), 2U);
     EXPECT_THAT(scene.file.notes,
                 ElementsAre("2 spotlights shine to all sides",
@@ -92,16 +91,16 @@ TEST(ImportedLights, WhatIsNotAsInTheFileIsNoted) {
 }
 
 TEST(ImportedLights, DarkOnesAreNoneAndManyAreCut) {
-    EXPECT_TRUE(scene_of({point_at({0, 4, 0}, glm::vec3(0))}).lights.empty());
+    EXPECT_TRUE(lit_by({point_at({0, 4, 0}, glm::vec3(0))}).lights.empty());
     std::vector<ImportedLight> many(100, point_at({0, 4, 0}, glm::vec3(1)));
-    const scene::Scene scene = scene_of(many);
+    const scene::Scene scene = lit_by(many);
     EXPECT_EQ(scene.lights.size(), 64U);
     EXPECT_THAT(scene.file.notes, ElementsAre("36 lights beyond the 64th are not heeded"));
 }
 
 /// A cube on node 0, which stands; node 1, which goes from x = 1 to x = 3 in two seconds.
-ImportReply moving_cube(std::vector<ImportedLight> lights) {
-    ImportReply reply = lit_cube(std::move(lights));
+ImportReply moving_reply(std::vector<ImportedLight> lights) {
+    ImportReply reply = lit_reply(std::move(lights));
     reply.animation.emplace();
     reply.animation->duration_s = 2;
     reply.animation->nodes = {scene::AnimatedNode{}, mover({1, 0, 0}, {3, 0, 0}, 2)};
@@ -116,7 +115,7 @@ TEST(ImportedLights, GoWithNodesThatMove) {
     moving.node = 1;
     ImportedLight lost = still;
     lost.node = 7;
-    scene::Scene scene = scene_from_reply(moving_cube({still, moving, lost}), "dir/cube.x", 1000);
+    scene::Scene scene = scene_from(moving_reply({still, moving, lost}));
     ASSERT_NE(scene.animation, nullptr);
     scene::pose_scene(scene, 2);
     EXPECT_EQ(scene.lights[0].p_world, glm::dvec3(0, 4, 0));
@@ -127,7 +126,7 @@ TEST(ImportedLights, GoWithNodesThatMove) {
 }
 
 TEST(ImportedLights, ASceneFarFromZeroTakesItsLightsAlong) {
-    ImportReply reply = moving_cube({point_at({1e6 + 1, 4, 0}, glm::vec3(1))});
+    ImportReply reply = moving_reply({point_at({1e6 + 1, 4, 0}, glm::vec3(1))});
     reply.lights[0].node = 1;
     for (scene::VectorKey& key : reply.animation->nodes[1].translations)
         key.value.x += 1e6;
@@ -135,7 +134,7 @@ TEST(ImportedLights, ASceneFarFromZeroTakesItsLightsAlong) {
     for (scene::AnimatedNode& node : reply.animation->nodes)
         if (!node.has_keys()) node.parent_from_node[3].x = 1e6;
     reply.instances[0].world_from_object[3].x = 1e6;
-    scene::Scene scene = scene_from_reply(std::move(reply), "dir/cube.x", 1000);
+    scene::Scene scene = scene_from(std::move(reply));
     ASSERT_NE(scene.origin.x, 0);
     EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 1);
     scene::pose_scene(scene, 2);

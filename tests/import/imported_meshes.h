@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "import/scene_stream.h"
+#include "import/imported_scene.h"
 #include "scene/mesh.h"
 #include "tests/scene/small_meshes.h"
 
@@ -25,6 +25,11 @@ inline ImportReply cube_reply() {
     reply.meshes = {imported(scene::unit_cube())};
     reply.instances = {{0, glm::dmat4(1), "only"}};
     return reply;
+}
+
+/// What is made of a reply for a file called cube.obj.
+inline scene::Scene scene_from(ImportReply reply, bool material_seams = false) {
+    return scene_from_reply(std::move(reply), "dir/cube.obj", 1000, material_seams);
 }
 
 /// A node that goes from one place to another in so many seconds and does not turn.

@@ -1,8 +1,6 @@
 // A reply of the import child is not trusted: whatever it claims must end in a sound scene or an
 // Error.
 
-#include "import/imported_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -14,9 +12,7 @@
 namespace ink::import {
 namespace {
 
-constexpr std::uint64_t kMany = 1000;
-
-std::string complaint(ImportReply reply, std::uint64_t most_triangles = kMany) {
+std::string fault_in(ImportReply reply, std::uint64_t most_triangles = 1000) {
     try {
         (void)scene_from_reply(std::move(reply), "dir/cube.obj", most_triangles);
     } catch (const core::Error& error) {
@@ -26,12 +22,8 @@ std::string complaint(ImportReply reply, std::uint64_t most_triangles = kMany) {
     return {};
 }
 
-scene::Scene scene_of(ImportReply reply, bool material_seams = false) {
-    return scene_from_reply(std::move(reply), "dir/cube.obj", kMany, material_seams);
-}
-
 TEST(ImportedScene, SoundReplyIsTaken) {
-    const scene::Scene scene = scene_of(cube_reply());
+    const scene::Scene scene = scene_from(cube_reply());
     EXPECT_EQ(scene.name, "cube");
     EXPECT_EQ(scene::triangle_count(scene), 12U);
 }
@@ -39,28 +31,28 @@ TEST(ImportedScene, SoundReplyIsTaken) {
 TEST(ImportedScene, RefusesWhatDoesNotFitTogether) {
     ImportReply absent_mesh = cube_reply();
     absent_mesh.instances[0].mesh = 1;
-    EXPECT_EQ(complaint(absent_mesh), "its reader placed a mesh that it did not hand over");
+    EXPECT_EQ(fault_in(absent_mesh), "its reader placed a mesh that it did not hand over");
 
     ImportReply absent_vertex = cube_reply();
     absent_vertex.meshes[0].triangles[3][1] = 8;
-    EXPECT_EQ(complaint(absent_vertex), "mesh 0: triangle 3 uses vertex 8");
+    EXPECT_EQ(fault_in(absent_vertex), "mesh 0: triangle 3 uses vertex 8");
 
     ImportReply not_placed = cube_reply();
     not_placed.instances.clear();
-    EXPECT_EQ(complaint(not_placed), "it holds no triangle");
+    EXPECT_EQ(fault_in(not_placed), "it holds no triangle");
 }
 
 TEST(ImportedScene, RefusesAbsurdNumbers) {
     ImportReply far_away = cube_reply();
     far_away.instances[0].world_from_object = glm::dmat4(1e70);
-    EXPECT_NE(complaint(far_away).find("its extent is"), std::string::npos);
+    EXPECT_NE(fault_in(far_away).find("its extent is"), std::string::npos);
 
     ImportReply lost = cube_reply();
     lost.instances[0].world_from_object[3][0] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(complaint(lost), "instance 0: its transform is not finite");
+    EXPECT_EQ(fault_in(lost), "instance 0: its transform is not finite");
 
-    EXPECT_EQ(complaint(cube_reply(), 11), "it holds 12 triangles");
-    EXPECT_EQ(complaint(cube_reply(), 12), "");
+    EXPECT_EQ(fault_in(cube_reply(), 11), "it holds 12 triangles");
+    EXPECT_EQ(fault_in(cube_reply(), 12), "");
 }
 
 TEST(ImportedScene, RefusesMotionThatDoesNotFit) {
@@ -69,11 +61,11 @@ TEST(ImportedScene, RefusesMotionThatDoesNotFit) {
     motion.duration_s = 1;
     motion.node_of_instance = {3};
     reply.animation = motion;
-    EXPECT_EQ(complaint(reply), "animation: an instance hangs on node 3");
+    EXPECT_EQ(fault_in(reply), "animation: an instance hangs on node 3");
     reply.animation->node_of_instance = {scene::kNoNode};
-    EXPECT_EQ(complaint(reply), "");
+    EXPECT_EQ(fault_in(reply), "");
     reply.animation->vertex_frames.resize(7);
-    EXPECT_EQ(complaint(reply), "animation: 7 lists of frames for 1 meshes");
+    EXPECT_EQ(fault_in(reply), "animation: 7 lists of frames for 1 meshes");
 }
 
 TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
@@ -94,26 +86,26 @@ TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
     still.cameras = {camera(2)};
     ImportReply lost = reply;
     lost.cameras[1].node = 3;
-    EXPECT_EQ(complaint(lost), "animation: a camera hangs on node 3");
-    const scene::Scene scene = scene_of(reply);
+    EXPECT_EQ(fault_in(lost), "animation: a camera hangs on node 3");
+    const scene::Scene scene = scene_from(reply);
     EXPECT_EQ(scene.cameras.size(), 3U) << "the one that cannot be is out of both lists";
     EXPECT_EQ(scene.animation->node_of_camera,
               (std::vector<std::uint32_t>{1, scene::kNoNode, scene::kNoNode}))
         << "the first moves by its parent";
-    EXPECT_TRUE(scene_of(still).animation->node_of_camera.empty());
+    EXPECT_TRUE(scene_from(still).animation->node_of_camera.empty());
 }
 
 TEST(ImportedScene, MotionThatTakesNoTimeIsNone) {
     ImportReply reply = cube_reply();
     reply.animation = scene::Animation{};
     reply.animation->node_of_instance = {scene::kNoNode};
-    EXPECT_EQ(scene_of(reply).animation, nullptr);
+    EXPECT_EQ(scene_from(reply).animation, nullptr);
 }
 
 TEST(ImportedScene, WrongNumberOfNormalsCountsAsNone) {
     ImportReply reply = cube_reply();
     reply.meshes[0].normals = {{0, 0, 1}};
-    EXPECT_TRUE(scene_of(reply).meshes[0].normals.empty());
+    EXPECT_TRUE(scene_from(reply).meshes[0].normals.empty());
 }
 
 TEST(ImportedScene, KeepsNamesOfAnyScript) {
@@ -121,7 +113,7 @@ TEST(ImportedScene, KeepsNamesOfAnyScript) {
     reply.instances[0].name = "\u5e73\u9762 Gr\u00f6\u00dfe\n\x1b[1m";
     reply.animation_names = {"\xc3"};
     reply.notes = {"two\nlines"};
-    const scene::Scene scene = scene_of(reply);
+    const scene::Scene scene = scene_from(reply);
     EXPECT_EQ(scene.instances[0].name, "\u5e73\u9762 Gr\u00f6\u00dfe ?[1m");
     EXPECT_EQ(scene.file.animation_names.at(0), "?");
     EXPECT_EQ(scene.file.notes.at(0), "two lines");
@@ -145,12 +137,12 @@ TEST(ImportedScene, PartsBecomeMaterialsOfTriangles) {
     backwards.meshes[0].parts[0].first_triangle = 1;
     ImportReply beyond = reply;
     beyond.meshes[0].parts[1].first_triangle = 13;
-    EXPECT_EQ(complaint(backwards), "its reader put the parts of a mesh out of order");
-    EXPECT_EQ(complaint(beyond), "its reader put a part of a mesh behind its end");
-    const scene::Scene scene = scene_of(reply);
+    EXPECT_EQ(fault_in(backwards), "its reader put the parts of a mesh out of order");
+    EXPECT_EQ(fault_in(beyond), "its reader put a part of a mesh behind its end");
+    const scene::Scene scene = scene_from(reply);
     EXPECT_EQ(scene.meshes[0].materials.at(9), 4U);
     EXPECT_EQ(scene.meshes[0].materials.at(10), 5U);
-    EXPECT_EQ(scene_of(reply, true).instances.size(), 2U);
+    EXPECT_EQ(scene_from(reply, true).instances.size(), 2U);
 }
 
 TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
@@ -166,7 +158,7 @@ TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
     ImportedCamera nameless = good;
     nameless.name = "";
     reply.cameras = {good, nowhere, lost, flat, good, nameless};
-    const scene::Scene scene = scene_of(reply);
+    const scene::Scene scene = scene_from(reply);
     ASSERT_EQ(scene.cameras.size(), 3U);
     EXPECT_EQ(scene.cameras[0].name, "a_b");
     EXPECT_EQ(scene.cameras[1].name, "a_b_2");

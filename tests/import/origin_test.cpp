@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "import/imported_scene.h"
 #include "scene/animation.h"
 #include "scene/topology.h"
 #include "tests/import/imported_meshes.h"
@@ -15,7 +14,6 @@
 namespace ink::import {
 namespace {
 
-constexpr std::uint64_t kMany = 1000;
 const glm::dvec3 kFar{691'004.25, 0, 5'335'012.7};
 
 /// A cube of 2 m whose vertices stand at `place`.
@@ -34,10 +32,6 @@ ImportReply two_cubes_at(const glm::dvec3& place) {
         p.x += 2;
     reply.instances.push_back({1, glm::dmat4(1), "beside"});
     return reply;
-}
-
-scene::Scene scene_of(ImportReply reply) {
-    return scene_from_reply(std::move(reply), "cube.obj", kMany);
 }
 
 /// Every corner in the file's own coordinates.
@@ -59,7 +53,7 @@ void expect_near(const std::vector<glm::dvec3>& got,
 
 TEST(Origin, SceneNearZeroStaysAsItIs) {
     for (const double distance : {0.0, 1.0, 2.5}) {
-        const scene::Scene scene = scene_of(cube_at({distance, 0, 0}));
+        const scene::Scene scene = scene_from(cube_at({distance, 0, 0}));
         EXPECT_EQ(scene.origin, glm::dvec3(0)) << distance;
         EXPECT_EQ(scene.meshes[0].positions[7], glm::vec3(1 + distance, 1, 1));
         EXPECT_EQ(scene.meshes[0].rounding, 0);
@@ -69,7 +63,7 @@ TEST(Origin, SceneNearZeroStaysAsItIs) {
 TEST(Origin, FarSceneKeepsItsDigits) {
     const ImportReply reply = cube_at(kFar);
     const std::vector<glm::dvec3> wanted = reply.meshes[0].positions;
-    const scene::Scene scene = scene_of(reply);
+    const scene::Scene scene = scene_from(reply);
     EXPECT_EQ(scene.origin.y, 0) << "that axis is not far";
     EXPECT_LT(glm::distance(scene.origin, kFar), 4);
     expect_near(file_corners(scene), wanted, 1e-6);
@@ -81,7 +75,7 @@ TEST(Origin, FarSceneKeepsItsDigits) {
 TEST(Origin, WhereverTheFileHasItAModelKeepsItsShape) {
     const auto at = [](double diameters) {
         const glm::dvec3 place = diameters * glm::dvec3(5.7, -5.7, 5.7);
-        return std::pair(scene_of(two_cubes_at(place + glm::dvec3(0.1))), place);
+        return std::pair(scene_from(two_cubes_at(place + glm::dvec3(0.1))), place);
     };
     const std::vector<glm::dvec3> wanted = file_corners(at(0).first);
     for (const double diameters : {1.0, 7.0, 31.0, 1000.0}) {
@@ -97,7 +91,7 @@ TEST(Origin, WhereverTheFileHasItAModelKeepsItsShape) {
 
 TEST(Origin, PartsThatTouchGoOnTouching) {
     // In coordinates that no float holds.
-    EXPECT_EQ(scene::weld(scene_of(two_cubes_at(kFar))).p_world.size(), 12U);
+    EXPECT_EQ(scene::weld(scene_from(two_cubes_at(kFar))).p_world.size(), 12U);
 }
 
 TEST(Origin, NodesCarryWhatIsFar) {
@@ -107,7 +101,7 @@ TEST(Origin, NodesCarryWhatIsFar) {
     const glm::dmat4 first = glm::translate(glm::dmat4(1), kFar);
     reply.instances = {{0, first, "first"}, {0, glm::translate(first, {3.3125, 0, 0}), "second"}};
     const std::vector<glm::dvec3> local = reply.meshes[0].positions;
-    const scene::Scene scene = scene_of(reply);
+    const scene::Scene scene = scene_from(reply);
     EXPECT_NE(scene.origin, glm::dvec3(0));
     for (std::size_t v = 0; v < local.size(); ++v)
         EXPECT_EQ(scene.meshes[0].positions[v], glm::vec3(local[v]));
@@ -122,7 +116,7 @@ TEST(Origin, FloatsOfTheFileLoseNothingAndKeepTheirRounding) {
     for (glm::dvec3& p : reply.meshes[0].positions)
         wanted.push_back(p = glm::dvec3(glm::vec3(p)));
     reply.meshes[0].are_floats = true;
-    const scene::Scene scene = scene_of(reply);
+    const scene::Scene scene = scene_from(reply);
     expect_near(file_corners(scene), wanted, 0);
     EXPECT_EQ(scene.meshes[0].rounding, 0.25) << "half a unit in the last place of 5,335,012";
     for (const double rounding : scene::weld(scene).rounding_world)
@@ -132,7 +126,7 @@ TEST(Origin, FloatsOfTheFileLoseNothingAndKeepTheirRounding) {
 TEST(Origin, CamerasGoWithTheScene) {
     ImportReply reply = cube_at(kFar);
     reply.cameras = {{"eye", kFar + glm::dvec3(0, 0, 8), kFar, {0, 1, 0}, 0.7}};
-    const scene::Scene scene = scene_of(reply);
+    const scene::Scene scene = scene_from(reply);
     ASSERT_EQ(scene.cameras.size(), 1U);
     EXPECT_LE(glm::distance(scene.origin + scene.cameras[0].eye_world, kFar + glm::dvec3(0, 0, 8)),
               1e-9);
@@ -146,7 +140,7 @@ TEST(Origin, WhatMovesGoesOnMovingThere) {
     motion.node_of_instance = {0};
     reply.instances[0].world_from_object = motion.nodes[0].parent_from_node;
     reply.animation = motion;
-    scene::Scene scene = scene_of(reply);
+    scene::Scene scene = scene_from(reply);
     scene::pose_scene(scene, 1);
     const std::vector<glm::dvec3> corners = file_corners(scene);
     EXPECT_LE(glm::distance(corners[0], kFar + glm::dvec3(1, 0, 0) + glm::dvec3(-1)), 1e-9);
@@ -164,7 +158,7 @@ TEST(Origin, BonesTakeTheirMeshAlong) {
     motion.skins = {skin};
     reply.animation = motion;
     const std::vector<glm::dvec3> wanted = reply.meshes[0].positions;
-    expect_near(file_corners(scene_of(reply)), wanted, 1e-6);
+    expect_near(file_corners(scene_from(reply)), wanted, 1e-6);
 }
 
 }  // namespace
