@@ -3,7 +3,6 @@
 Where its engine is not installed, the exit code is 77 and the last line says what is missing.
 """
 
-import csv
 import json
 import os
 import re
@@ -15,13 +14,11 @@ import adapters
 NAME = sys.argv.pop(1)
 
 # F of cube, torus and blocks, less .02 to .05: what the engine draws without a fault in between. The
-# depth edges of three.js are no better on these, and Open CASCADE looks for no intersections.
+# depth edges of three.js are no better on these.
 FLOORS = {
     "blender_line_art": (0.98, 0.98, 0.98),
     "three_outline": (0.70, 0.58, 0.80),
     "three_ids": (0.97, 0.85, 0.97),
-    "occ_exact": (0.98, 0.98, 0.92),
-    "occ_polygonal": (0.98, 0.98, 0.95),
     "webgl_surface8": (0.98, 0.96, 0.98),
     "webgl_surface8_depth": (0.98, 0.98, 0.98),
     "webgl_label8": (0.98, 0.87, 0.98),
@@ -31,8 +28,6 @@ FLOORS = {
     "webgl_mote4": (0.95, 0.98, 0.97),
     "webgl_inverted_hull": (0.85, 0.97, 0.73),
 }
-IS_PARALLEL = NAME.startswith("occ_")  # its engine draws parallel views alone
-PROJECTION = "parallel" if IS_PARALLEL else "perspective"
 MASK_SCENE = "blocks"
 MASK_SIZE = "640x360"
 
@@ -52,7 +47,7 @@ class AdapterTest(unittest.TestCase):
         from PIL import Image
 
         with adapters.scratch() as folder:
-            view = adapters.export_view(MASK_SCENE, MASK_SIZE, folder, PROJECTION)
+            view = adapters.export_view(MASK_SCENE, MASK_SIZE, folder)
             out = view.parent / "mask.png"
             done = adapters.run(adapters.adapter(NAME), view, out, "--mask")
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -64,7 +59,6 @@ class AdapterTest(unittest.TestCase):
         far = (theirs & ~grown(ours)) | (~theirs & ~grown(~ours))
         self.assertEqual(far.sum(), 0, "pixels more than one from the silhouette differ")
 
-    @unittest.skipIf(IS_PARALLEL, "entrant-test has views in perspective")
     def test_it_takes_part_and_draws_what_its_engine_can(self):
         done = adapters.run(adapters.PROGRAM, "entrant-test", adapters.adapter(NAME),
                             "--entrant-seconds", "300")
@@ -74,30 +68,6 @@ class AdapterTest(unittest.TestCase):
         self.assertEqual(len(found), 3, done.stdout)
         for f, floor in zip(found, FLOORS[NAME]):
             self.assertGreaterEqual(f, floor, done.stdout)
-
-    @unittest.skipUnless(IS_PARALLEL, "it draws views in perspective")
-    def test_it_takes_part_where_views_are_parallel(self):
-        with adapters.scratch() as folder:
-            done = adapters.run(adapters.PROGRAM, "compare", "--scenes", "cube,torus,blocks", "--methods",
-                                "ids", "--views", "1", "--projection", "parallel", "--size", "640x360",
-                                "--entrant", f"{NAME}={adapters.adapter(NAME)}", "--no-sweep",
-                                "--no-crosscheck", "--out", f"{folder}/run")
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            with open(f"{folder}/run/rows.csv", newline="", encoding="utf-8") as file:
-                found = {row["scene"]: float(row["f_2px"]) for row in csv.DictReader(file)
-                         if row["method"] == NAME}
-        print(f"{NAME}: F {found}", flush=True)
-        for scene, floor in zip(("cube", "torus", "blocks"), FLOORS[NAME]):
-            self.assertGreaterEqual(found[scene], floor)
-
-    @unittest.skipUnless(IS_PARALLEL, "it draws views in perspective")
-    def test_a_view_in_perspective_is_bad_input(self):
-        with adapters.scratch() as folder:
-            view = adapters.export_view("cube", "160x90", folder)
-            done = adapters.run(adapters.adapter(NAME), view, view.parent / "out.png")
-        self.assertEqual(done.returncode, 2)
-        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-        self.assertIn("perspective", done.stderr)
 
     @unittest.skipUnless(NAME.startswith("webgl_"), "it draws a method of the program's")
     def test_its_lines_are_those_of_the_method(self):
@@ -110,7 +80,7 @@ class AdapterTest(unittest.TestCase):
 
     def test_it_says_how_long_its_engine_took(self):
         with adapters.scratch() as folder:
-            view = adapters.export_view("cube", "160x90", folder, PROJECTION)
+            view = adapters.export_view("cube", "160x90", folder)
             done = adapters.run(adapters.adapter(NAME), view, view.parent / "out.png")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"^draw_ms [0-9.]+$")
@@ -123,7 +93,7 @@ class AdapterTest(unittest.TestCase):
 
     def test_a_missing_engine_is_a_sentence(self):
         with adapters.scratch() as folder:
-            view = adapters.export_view("cube", "160x90", folder, PROJECTION)
+            view = adapters.export_view("cube", "160x90", folder)
             empty = {**os.environ, "PATH": folder, "XDG_CACHE_HOME": folder}
             done = adapters.run(adapters.adapter(NAME), view, view.parent / "out.png", env=empty)
         self.assertEqual(done.returncode, 3)

@@ -54,10 +54,9 @@ def run(*words, **options):
                           timeout=LONGEST_S, check=False, **options)
 
 
-def export_view(scene, size, folder, projection="perspective"):
+def export_view(scene, size, folder):
     """Writes a scene's first view; the path of its view.json."""
-    done = run(PROGRAM, "export", scene, "--views", "1", "--size", size, "--projection", projection,
-               "-o", folder)
+    done = run(PROGRAM, "export", scene, "--views", "1", "--size", size, "-o", folder)
     if done.returncode != 0:
         raise RuntimeError(done.stdout + done.stderr)
     return next(Path(folder).rglob("camera.json"))
