@@ -29,7 +29,7 @@ constexpr Heading kOfOptions[] = {
     {"Methods", "set model-list preset entrant entrant-seconds antialias line-width no-skip"},
     {"Truth",
      "crease weld-epsilon intersections creases no-crosscheck polarity band ignore no-thin"},
-    {"Looks", "set-shade lights ink paper surface hand-drawn set-hand dither no-lines layer"},
+    {"Looks", "set-shade ink paper surface dither no-lines layer"},
     {"Drawing for print", "hidden sheet-width sheet scale"},
     {"Science", "seed coverage sweep-views no-sweep images scaling motion global no-random"},
     {"Work", "shard force no-times lanes dry-run status threads repetitions cache no-cache"}};

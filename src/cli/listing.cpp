@@ -12,7 +12,6 @@
 #include "harness/rows/row_table.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
-#include "shade/hand_lines.h"
 #include "shade/shading.h"
 #include "studies/stress/stress_axes.h"
 
@@ -79,8 +78,6 @@ std::string list_shadings() {
         text += name_lines(info);
         text += list_parameters("parameters of " + info.name, info.params);
     }
-    text += "lines by hand (inkbench draw --hand-drawn --set-hand key=value)\n";
-    text += list_parameters("parameters of the hand", shade::hand_table().params());
     return text;
 }
 

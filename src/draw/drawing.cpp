@@ -19,8 +19,6 @@
 namespace ink::draw {
 namespace {
 
-constexpr double kHandWidth_px = 2;  // unless a width is asked for
-
 std::unique_ptr<method::Method> make_ready(const harness::SceneViews& scene_views,
                                            const method::MethodConfig& config) {
     std::unique_ptr<method::Method> method = config.info->make(config.settings);
@@ -38,14 +36,9 @@ edge::EdgeImage draw_method(const harness::SceneViews& scene_views,
     return edge_responses;
 }
 
-/// One pixel wide where edge responses reach the threshold.
-edge::Mask thin_lines(const edge::EdgeImage& edge_responses, int threshold) {
-    return edge::thin(edge::threshold(edge_responses, threshold));
-}
-
 /// Edge responses where the lines lie once they are thinned.
 edge::EdgeImage keep_thinned(edge::EdgeImage edge_responses, int threshold) {
-    const edge::Mask mask = thin_lines(edge_responses, threshold);
+    const edge::Mask mask = edge::thin(edge::threshold(edge_responses, threshold));
     for (std::size_t i = 0; i < edge_responses.size(); ++i) {
         if (mask.data()[i] == 0) edge_responses.data()[i] = 0;
     }
@@ -57,13 +50,7 @@ edge::EdgeImage style_lines(edge::EdgeImage edge_responses,
                             int threshold,
                             const DrawOptions& options) {
     const int n = options.antialias;
-    const bool has_width = options.line_width_px > 0;
-    if (options.hand) {
-        const shade::HandPen pen{
-            n, has_width ? options.line_width_px : kHandWidth_px, options.seed};
-        return shade::draw_by_hand(thin_lines(edge_responses, threshold), *options.hand, pen);
-    }
-    if (!has_width) return shade::widen(edge_responses, n);
+    if (options.line_width_px == 0) return shade::widen(edge_responses, n);
     const auto samples = static_cast<int>(std::lround(options.line_width_px * n));
     return shade::widen(keep_thinned(std::move(edge_responses), threshold), std::max(samples, 1));
 }
@@ -93,7 +80,7 @@ RgbImage draw_under(const harness::SceneViews& scene_views,
     shade::Shader shader(*options.shading);
     shader.prepare(scene_views.scene);
     const shade::Colors colors = shade_colors(options, options.ink.value_or(kInk.rgb));
-    return shader.draw({view, colors, options.antialias, options.threads, options.lamps});
+    return shader.draw({view, colors, options.antialias, options.threads});
 }
 
 /// The method with its lines as wide as is asked for, as far as it goes.
@@ -119,7 +106,7 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
     RgbImage under = draw_under(scene_views, view, options);
     Drawing drawing;
     if (options.shading) drawing.shading = shade::dither(shade::average(under, n), options.dither);
-    if (methods::draws_ink(*config.info) && !options.hand) {
+    if (methods::draws_ink(*config.info)) {
         drawing.edge_responses = draw_method(scene_views,
                                              with_width(config, options.line_width_px),
                                              scene_views.views.front(),

@@ -14,7 +14,6 @@
 #include "method/method_config.h"
 #include "raster/skips.h"
 #include "shade/compose.h"
-#include "shade/hand_lines.h"
 #include "shade/shading.h"
 
 namespace ink::draw {
@@ -25,16 +24,13 @@ inline constexpr double kMostLineWidth_px = 64;
 /// How one picture is drawn: what lies under the lines, and how lines look.
 struct DrawOptions {
     std::optional<shade::Style> shading = {};  ///< none: paper
-    shade::LampSource lamps = shade::LampSource::own_or_studio;
     // Colours; unless given the default ink, white, and a light grey (under strokes the paper's).
     std::optional<glm::u8vec3> ink = {};
     std::optional<glm::u8vec3> paper = {};
     std::optional<glm::u8vec3> surface = {};
     /// Lines are thinned and widened to this; 0 leaves them as the method draws them.
     double line_width_px = 0;
-    std::optional<shade::HandParams> hand = {};  ///< lines are drawn again by hand
-    std::uint64_t seed = 0;                      ///< of the hand
-    int antialias = 1;                           ///< all is drawn at n x n the size and averaged
+    int antialias = 1;  ///< all is drawn at n x n the size and averaged
     shade::DitherFormat dither = shade::DitherFormat::none;
     int threads = 1;
     raster::SkipSet skips = {};

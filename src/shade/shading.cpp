@@ -7,7 +7,6 @@
 #include <numeric>
 #include <optional>
 
-#include "core/error.h"
 #include "raster/pass/pass.h"
 #include "scene/camera.h"
 #include "shade/tones.h"
@@ -238,19 +237,10 @@ void Shader::prepare(const scene::Scene& scene) {
     lamps_ = scene.lights;
 }
 
-std::vector<scene::OmniLight> Shader::lamps_of(const ShadeFrame& frame) const {
-    const bool has_own = !lamps_.empty() && frame.lamps != LampSource::studio;
-    if (has_own) return lamps_;
-    if (frame.lamps == LampSource::own) {
-        throw core::Error("--lights", "the scene has no light of its own", "studio");
-    }
-    return studio_lamps(frame.view.camera, bounds_);
-}
-
 core::Image<Rgb> Shader::draw(const ShadeFrame& frame) const {
     const scene::View& view = frame.view;
     core::Image<Rgb> image(view.width_px, view.height_px);
-    const auto lamps = lamps_of(frame);
+    const auto lamps = lamps_.empty() ? studio_lamps(view.camera, bounds_) : lamps_;
     const glm::vec3 ambient(static_cast<float>(tone_params(style_).ambient));
     const SurfaceTones tones = make_tones(surface_, spots_, lamps, ambient);
     const auto p_clip = project(surface_, view);

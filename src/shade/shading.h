@@ -34,24 +34,12 @@ struct ShadingInfo {
 /// "none" among them, if there is no such one.
 [[nodiscard]] const ShadingInfo& find_shading(const std::string& name);
 
-/// Whose lamps light a picture.
-enum class LampSource {
-    own_or_studio,  ///< the scene's own where it has any, else `studio_lamps`
-    own,
-    studio,
-};
-
-/// What "file" (the model's own, or the catalogue's), "studio", and "" for neither mean. Throws
-/// core::Error (where = "--lights") for any other text.
-[[nodiscard]] LampSource lamp_source(const std::string& text);
-
 /// How a picture is drawn.
 struct ShadeFrame {
     scene::View view;
     Colors colors;
     int samples_per_px = 1;  ///< pixels of `view` along a side of a pixel that the user sees
     int threads = 1;         ///< the picture does not depend on it
-    LampSource lamps = LampSource::own_or_studio;
 };
 
 /// Draws scenes in one style.
@@ -63,17 +51,13 @@ class Shader {
     /// kept.
     void prepare(const scene::Scene& scene);
 
-    /// The prepared scene under the lamps that the frame asks for, which throws core::Error (where
-    /// =
-    /// "--lights") if the scene has none of its own. No shadows.
+    /// The prepared scene under its own lamps, or under `studio_lamps` if it has none. No shadows.
     ///
     /// A triangle seen from its back is lit from its back. Brightness is cut off at 1. A scene
     /// without triangles is paper; an empty picture stays empty.
     [[nodiscard]] core::Image<Rgb> draw(const ShadeFrame& frame) const;
 
   private:
-    [[nodiscard]] std::vector<scene::OmniLight> lamps_of(const ShadeFrame& frame) const;
-
     Style style_;
     scene::Surface surface_;
     UniformSpots spots_;

@@ -144,11 +144,4 @@ const ShadingInfo& find_shading(const std::string& name) {
         "--shading", fmt::format("there is no shading '{}'", name), core::known_names(names, name));
 }
 
-LampSource lamp_source(const std::string& text) {
-    if (text.empty()) return LampSource::own_or_studio;
-    if (text == "file") return LampSource::own;
-    if (text == "studio") return LampSource::studio;
-    throw core::Error("--lights", fmt::format("there are no lights '{}'", text), "file | studio");
-}
-
 }  // namespace ink::shade

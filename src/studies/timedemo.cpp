@@ -11,8 +11,6 @@
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
-#include "edge/thin.h"
-#include "edge/threshold.h"
 #include "harness/cells/cell.h"
 #include "harness/clock/timing.h"
 #include "methods/antialias.h"
@@ -20,15 +18,13 @@
 #include "scene/animation.h"
 #include "scene/views/camera_path.h"
 #include "shade/compose.h"
-#include "shade/hand_lines.h"
 #include "shade/lay_ink.h"
 #include "shade/shading.h"
 
 namespace ink::studies {
 namespace {
 
-constexpr double kPenWidth_px = 2;  // as `draw --hand-drawn` has it
-constexpr double kStep_px = 3;      // a frame: fast enough to see, slow enough for 60 frames
+constexpr double kStep_px = 3;  // a frame: fast enough to see, slow enough for 60 frames
 
 /// The model in one tone: what a frame costs before anybody draws lines or light.
 class PlainFill : public raster::TileSink {
@@ -73,8 +69,7 @@ class PlainFill : public raster::TileSink {
 /// One shading of every frame.
 class Shaded {
   public:
-    explicit Shaded(const shade::Style& style, const shade::Colors& colors = {})
-        : shader_(style), colors_(colors) {}
+    explicit Shaded(const shade::Style& style) : shader_(style) {}
     /// Returns what it took; poses the scene first if it `is_moved`.
     std::int64_t draw(const scene::Scene& scene,
                       bool is_moved,
@@ -82,7 +77,7 @@ class Shaded {
                       const TimedemoOptions& options) {
         const auto shade = [&] {
             if (is_moved) shader_.prepare(scene);
-            image_ = shader_.draw({view, colors_, 1, options.threads, options.lamps});
+            image_ = shader_.draw({view, {}, 1, options.threads});
         };
         return harness::time_ns(shade, options.threads);
     }
@@ -90,16 +85,8 @@ class Shaded {
 
   private:
     shade::Shader shader_;
-    shade::Colors colors_;
     core::Image<shade::Rgb> image_;
 };
-
-/// Colours with which strokes lie on paper.
-shade::Colors paper_colors() {
-    shade::Colors colors;
-    colors.surface = colors.paper;
-    return colors;
-}
 
 /// A method under way along one path.
 struct Player {
@@ -226,23 +213,11 @@ class Demo {
         });
         line.shade_ns = plain_.draw(scene_, is_moved, view, options_);
         line.toon_ns = toon_.draw(scene_, is_moved, view, options_);
-        line.strokes_ns = strokes_.draw(scene_, is_moved, view, options_);
         for (Player& player : players_) {
             draw(player, view, line);
-            sketch(player, line);
             out.push_back(line);
         }
         is_new_ = false;
-    }
-
-    /// The lines of the frame that was drawn last, as a hand would draw them.
-    void sketch(const Player& player, DemoFrame& line) {
-        const shade::HandPen pen{.line_width_px = kPenWidth_px, .seed = options_.seed};
-        line.hand_ns = time_ns([&] {
-            const edge::Mask lines =
-                edge::thin(edge::threshold(player.edge_responses, player.threshold));
-            image_ = shade::compose(shade::draw_by_hand(lines, {}, pen), strokes_.image(), {});
-        });
     }
 
     void draw(Player& player, const scene::View& view, DemoFrame& line) {
@@ -281,7 +256,6 @@ class Demo {
     PlainFill fill_;
     Shaded plain_{shade::GouraudParams{}};
     Shaded toon_{shade::ToonParams{}};
-    Shaded strokes_{shade::StrokeParams{}, paper_colors()};
     core::Image<shade::Rgb> image_;
     bool is_new_ = true;
 };

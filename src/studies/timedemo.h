@@ -20,8 +20,7 @@ struct TimedemoOptions {
     int cached_passes = 2;  ///< over the same frames again, after the first
     int threads = 1;
     raster::SkipSet skips = {};
-    std::uint64_t seed = 0;  ///< of the shaking camera, and of the hand that sketches
-    shade::LampSource lamps = shade::LampSource::own_or_studio;
+    std::uint64_t seed = 0;  ///< of the shaking camera
 };
 
 /// What one frame of one pass took. Fill and shadings are measured once a frame and stand in every
@@ -33,16 +32,14 @@ struct DemoFrame {
     std::string method;  ///< as registered
     int pass = 0;        ///< 0: every frame for the first time
     int frame = 0;
-    double time_s = 0;            ///< of the animation
-    std::int64_t fill_ns = 0;     ///< the surface moved and filled with one tone
-    std::int64_t shade_ns = 0;    ///< Gouraud's shading, its own rasterization included
-    std::int64_t toon_ns = 0;     ///< the toon table's shading likewise
-    std::int64_t strokes_ns = 0;  ///< that by strokes likewise
+    double time_s = 0;          ///< of the animation
+    std::int64_t fill_ns = 0;   ///< the surface moved and filled with one tone
+    std::int64_t shade_ns = 0;  ///< Gouraud's shading, its own rasterization included
+    std::int64_t toon_ns = 0;   ///< the toon table's shading likewise
     /// Of the method; of the very first frame, with its prepare: codes are of that frame's pose.
     std::int64_t pose_ns = 0;
     std::int64_t draw_ns = 0;
     std::int64_t compose_ns = 0;  ///< the lines put over the shading
-    std::int64_t hand_ns = 0;     ///< thinned instead, drawn again by hand and put over the strokes
     std::string image_hash;       ///< of the edge responses
 };
 
@@ -58,7 +55,7 @@ struct DemoFrame {
 struct DemoRate {
     std::string path;
     std::string method;  ///< "" for what is the same for all methods
-    std::string drawn;   ///< plain, shading, no edges, full, toon, sketch: see timedemo_legend
+    std::string drawn;   ///< plain, shading, no edges, full, toon: see timedemo_legend
     bool is_cached = false;
     double fps = 0;
     double low_fps = 0;
@@ -77,8 +74,7 @@ struct DemoRate {
 [[nodiscard]] std::string timedemo_legend();
 
 /// Whether the shadings are lit by the scene's own lights; else by the studio's.
-[[nodiscard]] bool has_own_lights(const harness::SceneViews& scene_views,
-                                  const TimedemoOptions& options);
+[[nodiscard]] bool has_own_lights(const harness::SceneViews& scene_views);
 
 /// What is shown, in a line: scene, seconds, stored frames, size, threads, lights.
 [[nodiscard]] std::string timedemo_heading(const harness::SceneViews& scene_views,

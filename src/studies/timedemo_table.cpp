@@ -30,9 +30,6 @@ constexpr DemoRow kRows[] = {
     {"toon",
      true,
      [](const DemoFrame& f) { return f.toon_ns + f.pose_ns + f.draw_ns + f.compose_ns; }},
-    {"sketch",
-     true,
-     [](const DemoFrame& f) { return f.strokes_ns + f.pose_ns + f.draw_ns + f.hand_ns; }},
 };
 
 /// The values of one column, in the order in which they first come.
@@ -101,13 +98,9 @@ const core::TableOf<FrameLine>& frames_table() {
         add_time("fill_ns", &F::fill_ns, "the surface moved and filled with one tone");
         add_time("shade_ns", &F::shade_ns, "shading, its own rasterization included");
         add_time("toon_ns", &F::toon_ns, "the same by the toon table");
-        add_time("strokes_ns", &F::strokes_ns, "the same by strokes");
         add_time("pose_ns", &F::pose_ns, "of the method; with its prepare in the first frame");
         add_time("draw_ns", &F::draw_ns, "of the method");
         add_time("compose_ns", &F::compose_ns, "the lines put over the shading");
-        add_time("hand_ns",
-                 &F::hand_ns,
-                 "the lines thinned instead, drawn again by hand and put over the strokes");
         frame.add_derived({"image_hash", "", "of the edge responses"}, &F::image_hash);
         return table;
     }();
@@ -178,13 +171,12 @@ std::string timedemo_legend() {
            "no edges  shading, and what the method does to follow the motion; no lines\n"
            "full      the same with the lines, which are put over the shading\n"
            "toon      the same over levels of grey from a table instead\n"
-           "sketch    the same over strokes instead, the lines drawn again by hand\n"
            "first     every frame for the first time along the path\n"
            "cached    the same frames again: methods that keep what they have seen are faster\n";
 }
 
-bool has_own_lights(const harness::SceneViews& scene_views, const TimedemoOptions& options) {
-    return options.lamps != shade::LampSource::studio && !scene_views.scene.lights.empty();
+bool has_own_lights(const harness::SceneViews& scene_views) {
+    return !scene_views.scene.lights.empty();
 }
 
 std::string timedemo_heading(const harness::SceneViews& scene_views,
@@ -205,7 +197,7 @@ std::string timedemo_heading(const harness::SceneViews& scene_views,
         scene_views.views.front().height_px,
         options.threads,
         options.threads == 1 ? "" : "s",
-        has_own_lights(scene_views, options) ? "own" : "studio",
+        has_own_lights(scene_views) ? "own" : "studio",
         options.threads == 1 ? "of processor time" : "on the wall");
 }
 

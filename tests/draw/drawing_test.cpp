@@ -114,18 +114,9 @@ TEST(MakeDrawing, StrokesLieOnPaperUnlessASurfaceIsGiven) {
     EXPECT_GT(count_of(make_drawing(small_scene_views(), mote4(), options).image, {255, 0, 0}), 0);
 }
 
-TEST(MakeDrawing, TheHandFollowsItsSeed) {
-    const harness::SceneViews scene_views = small_scene_views();
-    DrawOptions options{.hand = shade::HandParams{}, .seed = 4};
-    const RgbImage one = make_drawing(scene_views, mote4(), options).image;
-    EXPECT_EQ(make_drawing(scene_views, mote4(), options).image, one);
-    options.seed = 5;
-    EXPECT_NE(make_drawing(scene_views, mote4(), options).image, one);
-}
-
 TEST(MakeDrawing, TheImageDoesNotDependOnThreads) {
     const harness::SceneViews scene_views = small_scene_views();
-    DrawOptions options{.hand = shade::HandParams{}, .antialias = 2};
+    DrawOptions options{.antialias = 2};
     options.shading = shade::GoochParams{};
     const RgbImage one = make_drawing(scene_views, mote4(), options).image;
     options.threads = 3;

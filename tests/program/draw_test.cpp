@@ -23,7 +23,6 @@ TEST(Draw, EveryLookIsAnotherImage) {
     std::set<std::string> images;
     const std::vector<Words> looks = {"",
                                       "--shading gouraud",
-                                      "--shading gouraud --lights studio",
                                       "--shading toon",
                                       "--shading gooch",
                                       "--shading strokes",
@@ -35,10 +34,7 @@ TEST(Draw, EveryLookIsAnotherImage) {
                                       "--paper 250,240,220",
                                       "--line-width 1",
                                       "--line-width 4",
-                                      "--antialias 4",
-                                      "--hand-drawn",
-                                      "--hand-drawn --seed 2",
-                                      "--hand-drawn --set-hand passes=3"};
+                                      "--antialias 4"};
     for (const Words& look : looks)
         images.insert(draw(desk, look));
     EXPECT_EQ(images.size(), looks.size());
@@ -46,7 +42,7 @@ TEST(Draw, EveryLookIsAnotherImage) {
 
 TEST(Draw, TheSameWordsGiveTheSameImage) {
     const Desk desk;
-    const Words words = "--shading strokes --hand-drawn --seed 5 --antialias 2";
+    const Words words = "--shading strokes --antialias 2";
     const std::string one = draw(desk, words);
     EXPECT_EQ(draw(desk, words, "b.png"), one);
     EXPECT_EQ(draw(desk, words + "--threads 3", "c.png"), one);
@@ -88,15 +84,6 @@ TEST(Draw, ShadingComesWithoutLinesIfAskedFor) {
     EXPECT_EQ(draw(desk, alone + "--method decaudin"), shading);
 }
 
-TEST(Draw, TheFilesLightsAreThoseIfItHasAny) {
-    const Desk desk;
-    EXPECT_EQ(draw(desk, "--shading gouraud --lights file"), draw(desk, "--shading gouraud"));
-    desk.write("dark.obj", kTriangleObj);
-    expect_refused(desk,
-                   "draw dark.obj --shading gouraud --lights file -o dark.png",
-                   {"--lights", "no light of its own"});
-}
-
 TEST(Draw, ALayerThatCountsSaysWhat) {
     EXPECT_THAT(
         expect_done(Desk(), "draw cube --method edge_hash --layer edges --size 160x90 -o a.png"),
@@ -104,7 +91,7 @@ TEST(Draw, ALayerThatCountsSaysWhat) {
 }
 
 TEST(Draw, ShadingsAndTheirParametersAreListed) {
-    for (const char* word : {"gouraud", "toon", "gooch", "strokes", "splash_alpha", "jitter_px"})
+    for (const char* word : {"gouraud", "toon", "gooch", "strokes", "splash_alpha"})
         EXPECT_THAT(expect_done(Desk(), {"list", "shadings"}), HasSubstr(word));
 }
 
@@ -117,16 +104,13 @@ TEST(Draw, ValuesThatMeanNothingAreRefused) {
                         {"--shading toon --set-shade steps=40", "steps 40 1..32"},
                         {"--shading toon --set-shade step=4", "'step' steps"},
                         {"--shading toon --set-shade steps", "--set-shade key=value"},
-                        {"--shading toon --lights sun", "--lights 'sun' studio"},
                         {"--ink black", "--ink 'black' #rrggbb"},
                         {"--paper 1,2,256", "--paper 1,2,256 0..255"},
                         {"--shading toon --surface #12345", "--surface #12345"},
                         {"--dither 444", "--dither 444 565"},
                         {"--line-width -1", "--line-width 0..64"},
                         {"--line-width nan", "--line-width 0..64"},
-                        {"--antialias 9", "--antialias 1..8"},
-                        {"--hand-drawn --set-hand passes=0", "passes 1..8"},
-                        {"--hand-drawn --seed x", "--seed 'x'"}});
+                        {"--antialias 9", "--antialias 1..8"}});
 }
 
 TEST(Draw, OptionsThatWouldDoNothingAreRefused) {
@@ -136,11 +120,8 @@ TEST(Draw, OptionsThatWouldDoNothingAreRefused) {
                         {"--shading toon --no-lines --response", "--no-lines --response"},
                         {"--layer packed --response", "--layer --response"},
                         {"--layer packed --antialias 2", "--layer looks"},
-                        {"--lights studio", "--lights --shading"},
                         {"--set-shade ambient=1", "--set-shade --shading"},
-                        {"--surface 1,2,3", "--surface --shading"},
-                        {"--set-hand passes=2", "--set-hand --hand-drawn"},
-                        {"--seed 2", "--seed --hand-drawn"}});
+                        {"--surface 1,2,3", "--surface --shading"}});
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
          "--size --methods --scenes --set --threads --seed --views --eye --target --up --fov "
          "--parallel --projection"},
         {"draw",
-         "-o --shading --set-shade --lights --ink --paper --surface --line-width --hand-drawn "
-         "--set-hand --seed --antialias --dither none|gouraud|toon|gooch|strokes"},
+         "-o --shading --set-shade --ink --paper --surface --line-width "
+         "--antialias --dither none|gouraud|toon|gooch|strokes"},
         {"score", "--tol --threshold --no-thin --band --ignore --json"}};
     for (const auto& [command, options] : named)
         for (const std::string& option : options)

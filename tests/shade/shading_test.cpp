@@ -123,19 +123,10 @@ TEST(Shader, ASceneWithoutLampsGetsSome) {
     EXPECT_GT(image.at(32, 32).r, 13 + 25);
 }
 
-TEST(Shader, AsksForItsOwnLampsOrTheStudios) {
-    const scene::View view = view_of_wall(1);
+TEST(Shader, ASceneWithLampsGetsNoOthers) {
     scene::Scene lit = wall(6, 8);
     lit.lights.push_back({.p_world = {0, 0, 3}, .color = {0, 1, 0}, .range = 0});
-    const auto drawn = [&](const scene::Scene& scene, LampSource lamps) {
-        Shader shader(gouraud(0.1));
-        shader.prepare(scene);
-        return shader.draw({.view = view, .colors = kColors, .lamps = lamps});
-    };
-    EXPECT_EQ(drawn(lit, LampSource::own), drawn(lit, LampSource::own_or_studio));
-    EXPECT_EQ(drawn(lit, LampSource::own).at(32, 32).r, 13) << "the lamp is green";
-    EXPECT_EQ(drawn(lit, LampSource::studio), drawn(wall(6, 8), LampSource::own_or_studio));
-    EXPECT_THROW((void)drawn(wall(6, 8), LampSource::own), core::Error);
+    EXPECT_EQ(draw(gouraud(0.1), lit, view_of_wall(1)).at(32, 32).r, 13) << "the lamp is green";
 }
 
 TEST(Shader, IsTheSameOnEveryThreadCount) {

@@ -32,7 +32,6 @@ struct TimedemoArgs {
     std::vector<std::string> methods;
     std::vector<std::string> settings;
     int frames = 60;
-    std::string lights;
     std::string out;
     bool json = false;
 };
@@ -55,7 +54,7 @@ nlohmann::ordered_json rates_json(const harness::SceneViews& scene_views,
             {"height", view.height_px},
             {"threads", options.threads},
             {"frames", options.frames},
-            {"lights", studies::has_own_lights(scene_views, options) ? "file" : "studio"},
+            {"lights", studies::has_own_lights(scene_views) ? "file" : "studio"},
             {"rates", list_of<nlohmann::ordered_json>(studies::timedemo_rates(frames), rate_json)}};
 }
 
@@ -67,7 +66,6 @@ void run_timedemo(const TimedemoArgs& args) {
     options.skips = harness::without_skips({}, asked.compare.skips_off);
     options.seed = asked.seed;
     options.frames = args.frames;
-    options.lamps = shade::lamp_source(args.lights);
     const harness::ViewRequest request = views_of(asked);
     if (request.time_s || request.frame) {
         throw core::Error(
@@ -103,8 +101,7 @@ void run_timedemo(const TimedemoArgs& args) {
 void add_timedemo_command(CLI::App& app) {
     auto args = std::make_shared<TimedemoArgs>();
     auto* command = app.add_subcommand(
-        "timedemo",
-        "Time an animation: frames per second plain, shaded, with lines, toon and sketched");
+        "timedemo", "Time an animation: frames per second plain, shaded, with lines and toon");
     add_one_scene_options(*command, args->scene);
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
@@ -113,8 +110,7 @@ void add_timedemo_command(CLI::App& app) {
     rows.text("--view", args->view, "NAME", "View where the camera starts (default: the first)");
     args->asked.add_to(*command, experiment::view_rows());
     args->asked.add_to(*command, {"grid.threads"}, "Threads of a method");
-    args->asked.add_to(*command, {"seed"}, "Of the shaking camera and the sketching hand");
-    add_lights_option(*command, args->lights);
+    args->asked.add_to(*command, {"seed"}, "Of the shaking camera");
     args->asked.add_to(*command, {"measure.skips_off"});
     add_out_folder_option(
         *command, args->out, "Folder for timedemo.csv (default: it is not written)");

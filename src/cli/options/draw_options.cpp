@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/parse_number.h"
 #include "core/split_list.h"
-#include "experiment/options/option_table.h"
 
 namespace ink::cli {
 namespace {
@@ -58,30 +57,11 @@ std::optional<shade::Style> parse_style(const LookOptions& options) {
     if (options.shading != "none") return shade::find_shading(options.shading).make(settings);
     const std::string needs = "--shading NAME with it";
     refuse_unused(!settings.empty(), "--set-shade", needs);
-    refuse_unused(!options.lights.empty(), "--lights", needs);
     refuse_unused(!options.surface.empty(), "--surface", needs);
     return std::nullopt;
 }
 
-std::optional<shade::HandParams> parse_hand(const LookOptions& options) {
-    const core::ParamValues settings = parse_settings(options.hand_settings, "--set-hand");
-    if (options.hand_drawn) return shade::hand_table().read(settings, "--set-hand");
-    const std::string needs = "--hand-drawn with it";
-    refuse_unused(!settings.empty(), "--set-hand", needs);
-    refuse_unused(!options.seed.empty(), "--seed", needs);
-    return std::nullopt;
-}
-
 }  // namespace
-
-void add_lights_option(CLI::App& command, std::string& text) {
-    CommandRows(command).text(
-        "--lights",
-        text,
-        "file|studio",
-        "What lights the shading: the lights of the file, or three lamps about the camera "
-        "(default: the file's if it has any)");
-}
 
 void add_look_options(CLI::App& command, LookOptions& options) {
     std::string names = "none";
@@ -93,18 +73,12 @@ void add_look_options(CLI::App& command, LookOptions& options) {
     rows.text("--shading", options.shading, names, "What is under the lines");
     rows.list("--set-shade", options.shade_settings, "KEY=VALUE",
               "A parameter of the shading; may be given again (see inkbench list shadings)");
-    add_lights_option(command, options.lights);
     rows.text("--ink", options.ink, kColor, "Colour of the lines (default: near black)");
     rows.text("--paper", options.paper, kColor, "Colour where nothing is (default: white)");
     rows.text("--surface", options.surface, kColor,
               "Colour of shaded surfaces, with --shading (default: light grey)");
     rows.number("--line-width", options.line_width_px, {0, draw::kMostLineWidth_px}, "PX",
-                "Thin the lines and draw them this wide; 0 leaves them as the method draws them, "
-                "and 2 px wide by hand");
-    rows.flag("--hand-drawn", options.hand_drawn, "Draw the lines as if by hand");
-    rows.list("--set-hand", options.hand_settings, "KEY=VALUE",
-              "A parameter of the hand; may be given again (see inkbench list shadings)");
-    rows.text("--seed", options.seed, "N", "Seed of the hand (default: 0)");
+                "Thin the lines and draw them this wide; 0 leaves them as the method draws them");
     rows.number("--antialias", options.antialias, {1, draw::kMostAntialias}, "N",
                 "Draw at N x N the size and average, 1..8");
     rows.choice("--dither", options.dither, {"none", "565", "332"},
@@ -115,12 +89,9 @@ void add_look_options(CLI::App& command, LookOptions& options) {
 draw::DrawOptions drawing_looks(const LookOptions& options) {
     draw::DrawOptions looks;
     looks.shading = parse_style(options);
-    looks.lamps = shade::lamp_source(options.lights);
     looks.ink = parse_color(options.ink, "--ink");
     looks.paper = parse_color(options.paper, "--paper");
     looks.surface = parse_color(options.surface, "--surface");
-    looks.hand = parse_hand(options);
-    if (!options.seed.empty()) looks.seed = experiment::parse_seed({options.seed, "--seed"});
     looks.dither = options.dither;
     looks.line_width_px = options.line_width_px;
     looks.antialias = options.antialias;

@@ -12,33 +12,24 @@ namespace ink::cli {
 struct LookOptions {
     std::string shading = "none";
     std::vector<std::string> shade_settings;
-    std::string lights;
     std::string ink;
     std::string paper;
     std::string surface;
     double line_width_px = 0;
-    bool hand_drawn = false;
-    std::vector<std::string> hand_settings;
-    std::string seed;
     int antialias = 1;
     shade::DitherFormat dither = shade::DitherFormat::none;
 
     friend bool operator==(const LookOptions&, const LookOptions&) = default;
 };
 
-/// Adds --lights to a command; shade::lamp_source reads it.
-void add_lights_option(CLI::App& command, std::string& text);
-
-/// Adds --shading, --set-shade, --lights, --ink, --paper, --surface, --line-width, --hand-drawn,
-/// --set-hand, --seed, --antialias and --dither to a command.
+/// Adds --shading, --set-shade, --ink, --paper, --surface, --line-width, --antialias and --dither
+/// to a command.
 void add_look_options(CLI::App& command, LookOptions& options);
 
 /// What the options ask for; threads and skips are left at their defaults.
 ///
 /// Throws core::Error (where = the option) for text that means nothing, and for an option that
-/// would do nothing: --set-shade, --lights or --surface without shading, --set-hand or --seed
-/// without
-/// --hand-drawn.
+/// would do nothing: --set-shade or --surface without shading.
 [[nodiscard]] draw::DrawOptions drawing_looks(const LookOptions& options);
 
 }  // namespace ink::cli
