@@ -1,12 +1,10 @@
 #include "bench/bench_scene.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 
-#include "core/error.h"
 #include "import/import.h"
 
 namespace ink::bench {
@@ -16,12 +14,6 @@ constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 std::filesystem::path model_path(const std::string& name) {
     return std::filesystem::path(INK_MODELS_DIR) / name;
-}
-
-/// What add_model was given.
-std::map<std::string, std::filesystem::path>& model_files() {
-    static std::map<std::string, std::filesystem::path> files;
-    return files;
 }
 
 /// Rings of quads, each cut in two, poles included: 2 * segments * (rings - 1) triangles.
@@ -60,32 +52,17 @@ scene::Scene make_sphere(int rings, int segments) {
 }
 
 scene::Scene make_scene(const std::string& name) {
-    if (const auto found = model_files().find(name); found != model_files().end())
-        return import::import_scene(found->second);
     if (name == "sphere") return make_sphere(131, 266);
     return import::import_scene(model_path(name + ".ply"));
 }
 
 }  // namespace
 
-std::vector<ImageSize> image_sizes() {
-    return {{"1080p", kWidth_px, kHeight_px}, {"2160p", 2 * kWidth_px, 2 * kHeight_px}};
-}
-
 std::vector<std::string> mesh_names() {
     std::vector<std::string> names = {"sphere"};
     for (const char* name : {"dragon_coarse", "dragon"})
         if (std::filesystem::exists(model_path(std::string(name) + ".ply"))) names.push_back(name);
-    for (const auto& [name, path] : model_files()) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
     return names;
-}
-
-void add_model(const std::filesystem::path& path) {
-    if (!std::filesystem::is_regular_file(path))
-        throw core::Error("--model", "'" + path.string() + "'", "a model file");
-    model_files()[path.stem().string()] = path;
 }
 
 const scene::Scene& bench_scene(const std::string& name) {
@@ -103,7 +80,7 @@ const scene::Surface& bench_surface(const std::string& name) {
     return kept;
 }
 
-std::array<scene::View, 2> bench_views(const scene::Scene& scene, const ImageSize& size) {
+std::array<scene::View, 2> bench_views(const scene::Scene& scene) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double fov_rad = 40 * kRadPerDeg;
     const double distance = bounds.radius / std::sin(fov_rad / 2);
@@ -115,8 +92,8 @@ std::array<scene::View, 2> bench_views(const scene::Scene& scene, const ImageSiz
         view.camera = scene::look_at(
             bounds.center_world + distance * away, bounds.center_world, {0, 1, 0}, fov_rad);
         scene::fit_clip_range(view.camera, bounds);
-        view.width_px = size.width_px;
-        view.height_px = size.height_px;
+        view.width_px = kWidth_px;
+        view.height_px = kHeight_px;
     }
     return views;
 }

@@ -2,7 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 /// One function per room: it registers the room's benchmarks under the names that scripts look for.
 ///
@@ -23,11 +25,20 @@ void add_filter_benchmarks();
 /// Passes and frames are run exactly `draws` times a repetition; 0 lets the library choose.
 void add_raster_benchmarks(int draws);
 void add_frame_benchmarks(int draws);
-/// Builders of edge lists, and what a cache of edges saves.
+/// What a cache of edges saves.
 void add_edge_benchmarks();
 void add_embree_benchmarks();
 void add_truth_benchmarks();
 void add_score_benchmarks();
+
+/// Adds a benchmark that calls time(state, args...).
+template <class Time, class... Args>
+benchmark::internal::Benchmark* add(const std::string& name, Time time, const Args&... args) {
+    const auto least = [](const std::vector<double>& times) { return std::ranges::min(times); };
+    return benchmark::RegisterBenchmark(name.c_str(), time, args...)
+        ->ComputeStatistics("min", least)
+        ->Unit(benchmark::kMicrosecond);
+}
 
 /// Adds `name/threads:1` and `name/threads:2`, which call time(state, key, threads); `draws` as
 /// above.
@@ -37,9 +48,7 @@ void add_with_threads(const std::string& name,
                       void (*time)(benchmark::State&, const Key&, int),
                       const Key& key) {
     for (const int threads : {1, 2}) {
-        const std::string full = name + "/threads:" + std::to_string(threads);
-        auto* added = benchmark::RegisterBenchmark(full.c_str(), time, key, threads);
-        added->Unit(benchmark::kMillisecond);
+        auto* added = add(name + "/threads:" + std::to_string(threads), time, key, threads);
         if (draws > 0) added->Iterations(draws);
     }
 }

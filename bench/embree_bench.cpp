@@ -38,11 +38,8 @@ void time_primary(benchmark::State& state, const std::string& mesh) {
 }  // namespace
 
 void add_embree_benchmarks() {
-    for (const std::string& mesh : mesh_names()) {
-        const std::string name = "embree/primary/" + mesh + "/1080p/threads:1";
-        benchmark::RegisterBenchmark(name.c_str(), time_primary, mesh)
-            ->Unit(benchmark::kMillisecond);
-    }
+    for (const std::string& mesh : mesh_names())
+        add("embree/primary/" + mesh + "/1080p/threads:1", time_primary, mesh);
 }
 
 }  // namespace ink::bench

@@ -15,10 +15,9 @@ namespace {
 struct FrameKey {
     const method::MethodInfo& info;
     std::string mesh;
-    ImageSize size;
 };
 
-/// Prepared and posed once for all sizes, threads and repetitions: `draw` is what is timed.
+/// Prepared and posed once for all threads and repetitions: `draw` is what is timed.
 method::Method& prepared(const FrameKey& key) {
     static std::map<std::pair<std::string, std::string>, std::unique_ptr<method::Method>> kept;
     auto& method = kept[{key.info.name, key.mesh}];
@@ -33,10 +32,10 @@ method::Method& prepared(const FrameKey& key) {
 /// One whole frame: everything the method does in `draw`. The two views come in turns.
 void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
     const scene::Scene& scene = bench_scene(key.mesh);
-    const auto views = bench_views(scene, key.size);
+    const auto views = bench_views(scene);
     method::Method& method = prepared(key);
     std::array<edge::EdgeImage, 2> out;
-    out.fill(edge::EdgeImage(key.size.width_px, key.size.height_px));
+    out.fill(edge::EdgeImage(kWidth_px, kHeight_px));
     const auto hash_of_both = [&] {
         return core::Hasher().text(core::image_hash(out[0])).text(core::image_hash(out[1])).hex();
     };
@@ -59,14 +58,9 @@ void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
 
 void add_frame_benchmarks(int draws) {
     for (const std::string& mesh : mesh_names()) {
-        for (const ImageSize& size : image_sizes()) {
-            for (const method::MethodInfo& info : methods::registry()) {
-                add_with_threads("frame/" + info.name + "/" + mesh + "/" + size.name,
-                                 draws,
-                                 time_frame,
-                                 {info, mesh, size});
-            }
-        }
+        for (const method::MethodInfo& info : methods::registry())
+            add_with_threads(
+                "frame/" + info.name + "/" + mesh + "/1080p", draws, time_frame, {info, mesh});
     }
 }
 

@@ -26,9 +26,6 @@ using namespace ink;
 struct Options {
     std::string simd;  ///< the instruction set to force; empty: the best
     int draws = 0;     ///< frames and passes run exactly so often; 0: as the library sees fit
-    std::vector<std::string> models;         ///< model files to time as well
-    std::string format = "console";          ///< of stdout: console, json or csv
-    bool has_json_file = false;              ///< JSON goes to a file as well
     std::vector<std::string> library_words;  ///< the program's name, our defaults, the user's flags
 };
 
@@ -44,7 +41,7 @@ int parse_count(const std::string& text) {
     return count;
 }
 
-// Splits the command line. Ours: `--simd=NAME`, `--draws=N`, `--model=FILE` (as often as wanted).
+// Splits the command line. Ours: `--simd=NAME`, `--draws=N`.
 // The library's flags come with defaults before them, which any flag of the user's overrides:
 // 9 repetitions, interleaved at random, 0.1 s each. Throws core::Error for a wrong value of ours.
 Options parse_options(int argc, char** argv) {
@@ -53,24 +50,18 @@ Options parse_options(int argc, char** argv) {
                              "--benchmark_repetitions=9",
                              "--benchmark_enable_random_interleaving=true",
                              "--benchmark_min_time=0.1"};
-    bool is_json = true;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         if (const auto simd = value_of(word, "--simd=")) {
             options.simd = *simd;
         } else if (const auto draws = value_of(word, "--draws=")) {
             options.draws = parse_count(*draws);
-        } else if (const auto model = value_of(word, "--model=")) {
-            options.models.push_back(*model);
+        } else if (value_of(word, "--benchmark_format=").value_or("console") != "console") {
+            throw core::Error("ink_bench", word, "console, and --benchmark_out=FILE for JSON");
         } else {
             options.library_words.push_back(word);
         }
-        if (const auto format = value_of(word, "--benchmark_format=")) options.format = *format;
-        if (value_of(word, "--benchmark_out=")) options.has_json_file = true;
-        if (const auto format = value_of(word, "--benchmark_out_format="))
-            is_json = *format == "json";
     }
-    options.has_json_file = options.has_json_file && is_json;
     return options;
 }
 
@@ -110,8 +101,6 @@ int run(int argc, char** argv) {
     bench::pin_to_cores();
     std::optional<core::ForcedSimdTarget> forced;
     if (!options.simd.empty()) forced.emplace(find_target(options.simd));
-    for (const std::string& model : options.models)
-        bench::add_model(model);
     bench::add_filter_benchmarks();
     bench::add_raster_benchmarks(options.draws);
     bench::add_frame_benchmarks(options.draws);
@@ -121,18 +110,11 @@ int run(int argc, char** argv) {
     bench::add_score_benchmarks();
     if (!start_library(options.library_words)) return 2;
     add_provenance();
-    bench::TableReporter table;
-    bench::JsonReporter json;
-    bench::JsonReporter file;
-    benchmark::BenchmarkReporter* display = nullptr;  // the library's own
-    if (options.format == "console") display = &table;
-    if (options.format == "json") display = &json;
-    const std::size_t matched =
-        benchmark::RunSpecifiedBenchmarks(display, options.has_json_file ? &file : nullptr);
+    bench::Console console;
+    const std::size_t matched = benchmark::RunSpecifiedBenchmarks(&console);
     benchmark::Shutdown();
     if (matched == 0) return 2;  // the library has said so
-    const bench::Results& results = display == &json ? json.results() : table.results();
-    const auto complaints = results.complaints();
+    const auto complaints = console.results().complaints();
     for (const std::string& line : complaints)
         std::fprintf(stderr, "ink_bench: %s\n", line.c_str());
     return complaints.empty() ? 0 : 1;

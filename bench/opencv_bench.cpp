@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "bench/benchmarks.h"
 #include "bench/filter_images.h"
 #include "core/hash.h"
 #include "edge/edge_image.h"
@@ -74,7 +75,6 @@ void time_full_laplacian(benchmark::State& state) {
 }  // namespace
 
 void add_opencv_benchmarks() {
-    const auto add = [](const char* name, auto run) { benchmark::RegisterBenchmark(name, run); };
     add("opencv/laplacian/u8/1080p", time_laplacian<std::uint8_t>);
     add("opencv/laplacian/u16/1080p", time_laplacian<std::uint16_t>);
     add("opencv/laplacian/f32x4/1080p", time_full_laplacian);

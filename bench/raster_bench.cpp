@@ -86,7 +86,7 @@ class HashSink : public raster::TileSink {
 
   private:
     [[nodiscard]] std::size_t plane_bytes() const {
-        return format_.store == raster::Store::u8 ? 1 : format_.store == raster::Store::u16 ? 2 : 4;
+        return format_.store == raster::Store::u8 ? 1 : 4;
     }
     [[nodiscard]] const char* plane_row(const raster::Tile& tile, int plane, int y) const {
         const auto* origin = static_cast<const char*>(tile.planes[static_cast<std::size_t>(plane)]);
@@ -101,19 +101,18 @@ class HashSink : public raster::TileSink {
 struct PassKey {
     raster::PassFormat format;
     std::string mesh;
-    ImageSize size;
 };
 
 /// One pass: from world positions to finished tiles. The two views come in turns.
 void time_pass(benchmark::State& state, const PassKey& key, int threads) {
-    const auto views = bench_views(bench_scene(key.mesh), key.size);
+    const auto views = bench_views(bench_scene(key.mesh));
     std::vector<Values> values;
     std::array<raster::MeshInput, 2> inputs;
     for (const scene::View& view : views)
         values.emplace_back(view, key.format.interpolants);
     for (std::size_t i = 0; i < 2; ++i) {
         inputs[i].mesh = &lane_mesh(key.mesh);
-        if (key.format.interpolants > 0) inputs[i].values = &values[i];
+        inputs[i].values = &values[i];
         inputs[i].view = views[i];
         inputs[i].threads = threads;
     }
@@ -141,30 +140,19 @@ void time_pass(benchmark::State& state, const PassKey& key, int threads) {
     state.counters["bytes_per_px"] = key.format.bytes_per_px();
 }
 
-raster::PassFormat format_of(int interpolants, raster::Store store) {
-    return {.interpolants = interpolants, .store = store, .halo_px = 1};
-}
-
 }  // namespace
 
 void add_raster_benchmarks(int draws) {
     using raster::Store;
-    const std::vector<std::pair<std::string, raster::PassFormat>> formats = {
-        {"depth", format_of(0, Store::none)},
-        {"u8", format_of(1, Store::u8)},
-        {"u8x2", format_of(2, Store::u8)},
-        {"u16", format_of(1, Store::u16)},
-        {"f32x4", format_of(4, Store::f32)},
-    };
     for (const std::string& mesh : mesh_names()) {
-        for (const auto& [name, format] : formats) {
-            for (const ImageSize& size : image_sizes()) {
-                add_with_threads("raster/" + name + "/" + mesh + "/" + size.name,
-                                 draws,
-                                 time_pass,
-                                 {format, mesh, size});
-            }
-        }
+        const auto add_pass = [&](const std::string& name, int interpolants, Store store) {
+            const raster::PassFormat format{
+                .interpolants = interpolants, .store = store, .halo_px = 1};
+            add_with_threads(
+                "raster/" + name + "/" + mesh + "/1080p", draws, time_pass, {format, mesh});
+        };
+        add_pass("u8", 1, Store::u8);
+        add_pass("f32x4", 4, Store::f32);
     }
 }
 

@@ -214,9 +214,6 @@ void time_place(benchmark::State& state) {
 }  // namespace
 
 void add_score_benchmarks() {
-    const auto add = [](const char* name, void (*run)(benchmark::State&)) {
-        benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
-    };
     add("score/36k", time_score);
     add("score/36k/thin", time_thin);
     add("score/36k/band", time_band);

@@ -223,11 +223,6 @@ void time_dense(benchmark::State& state, const std::string& mesh, bool is_adapti
     state.counters["mixed_px"] = static_cast<double>(counts.mixed_px);
 }
 
-template <class Time, class... Args>
-void add(const std::string& name, Time time, const Args&... args) {
-    benchmark::RegisterBenchmark(name.c_str(), time, args...)->Unit(benchmark::kMillisecond);
-}
-
 }  // namespace
 
 void add_truth_benchmarks() {
@@ -239,11 +234,8 @@ void add_truth_benchmarks() {
         add(name + "/bvh", time_bvh, mesh);
         add(name + "/lines", time_lines, mesh);
         add(name + "/layers", time_layers, mesh);
-    }
-    for (const std::string& mesh : mesh_names()) {
-        const std::string name = mesh + "/1080p";
-        add("truth_dense/" + name, time_dense, mesh, false);
-        add("truth_adaptive/" + name, time_dense, mesh, true);
+        add("truth_dense/" + mesh + "/1080p", time_dense, mesh, false);
+        add("truth_adaptive/" + mesh + "/1080p", time_dense, mesh, true);
     }
 }
 

@@ -2,11 +2,10 @@
 
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <set>
 
 #include "tests/program/run_program.h"
 
-// ink_bench as a script runs it: flags, the closing table, JSON. No time is judged.
+// ink_bench as a script runs it: flags, the console, JSON. No time is judged.
 
 namespace ink::bench {
 namespace {
@@ -24,34 +23,29 @@ Outcome bench(const Desk& desk, Words words) {
     return desk.run(words);
 }
 
-TEST(InkBench, ClosesWithLeastMedianYardstickAndHashAndWritesThem) {
+TEST(InkBench, ShowsMedianAndLeastWithTheHashAndWritesAll) {
     const Desk desk;
     const Outcome outcome =
         bench(desk, {kCopy, "--benchmark_repetitions=3", "--benchmark_out=o.json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(
-        std::regex_search(outcome.out,
-                          std::regex("benchmark +least us +median us +least M +hash of the result\n"
-                                     "memcpy/u8/1080p +[0-9.]+ +[0-9.]+ +1\\.00 +[0-9a-f]{16}\n")))
-        << outcome.out;
     int repetitions = 0;
-    std::set<std::string> hashes, in_m;
     double least = 1e30, minimum = 0;
     const auto report = nlohmann::json::parse(desk.read("o.json"));
     for (const auto& entry : report.at("benchmarks")) {
-        hashes.insert(entry.at("label").get<std::string>());
         if (entry.at("run_type") == "iteration") {
             ++repetitions;
             least = std::min(least, entry.at("cpu_time").get<double>());
-        } else {
-            if (entry.contains("M")) in_m.insert(entry.at("aggregate_name"));
-            if (entry.at("aggregate_name") == "min") minimum = entry.at("cpu_time");
+        } else if (entry.at("aggregate_name") == "min") {
+            minimum = entry.at("cpu_time");
+            const auto hash = entry.at("label").get<std::string>();
+            for (const std::string shown : {"median", "min"})
+                EXPECT_TRUE(std::regex_search(
+                    outcome.out, std::regex("memcpy/u8/1080p_" + shown + " .* us .*" + hash)))
+                    << outcome.out;
         }
     }
     EXPECT_EQ(repetitions, 3);
-    EXPECT_EQ(hashes.size(), 1U);
-    EXPECT_EQ(in_m, (std::set<std::string>{"median", "min"}));
-    EXPECT_DOUBLE_EQ(minimum, least);
+    EXPECT_NEAR(minimum, least, 1e-9 * least);
 }
 
 TEST(InkBench, RepeatsNineTimesUnlessTold) {
@@ -88,6 +82,7 @@ TEST(InkBench, RefusesWhatItDoesNotKnow) {
                                      {"--draws=many", "a whole number from 1 on"},
                                      {"--draws=2x", "a whole number from 1 on"},
                                      {"--draws=", "a whole number from 1 on"},
+                                     {"--benchmark_format=json", "--benchmark_out=FILE"},
                                      {"--nonsense", ""},
                                      {"--benchmark_filter=nonsense", ""}}) {
         const Outcome outcome = bench(desk, {flag});
