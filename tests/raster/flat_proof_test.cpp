@@ -47,7 +47,7 @@ class Bench {
         for (std::uint32_t i = 0; i < batches_.front().triangles.size(); ++i) {
             proof.add(batches_.front(), i);
             const BinEntry entry{0, i};
-            fill_function(format_)(job, {&entry, 1}, buffer_);
+            fill_tile(job, {&entry, 1}, buffer_);
         }
         Found found;
         found.is_flat = buffer_.is_inner() && proof.is_flat(buffer_.drawn());

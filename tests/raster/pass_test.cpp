@@ -107,15 +107,5 @@ TEST(PassFormat, BytesPerPixelAreDepthPlusPlanes) {
     EXPECT_EQ(id_format().bytes_per_px(), 8);
 }
 
-TEST(DrawPassDeathTest, AFormatOutsideTheClosedSetIsACallersBug) {
-#ifdef NDEBUG
-    GTEST_SKIP() << "skipped: assertions are off in this build";
-#endif
-    const PassFormat format{.interpolants = 3, .store = Store::u8};
-    TestMesh mesh;
-    IdleSink sink;
-    EXPECT_DEATH(draw_pass(format, mesh.input(), 8, 8, 1, sink), "closed set|fill_function");
-}
-
 }  // namespace
 }  // namespace ink::raster

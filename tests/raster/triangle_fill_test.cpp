@@ -117,7 +117,7 @@ TEST(TriangleFill, GivesTheBitsOfThePlainLoopOnEveryTarget) {
                 for (std::uint32_t i = 0; i < batches.front().triangles.size(); ++i) {
                     const BinEntry entry{0, i};
                     if (!fill_triangle(job, entry, vectors)) continue;
-                    fill_function(made.format)(job, {&entry, 1}, plain);
+                    fill_tile(job, {&entry, 1}, plain);
                     ++drawn;
                 }
                 EXPECT_GT(drawn, 25);

@@ -39,7 +39,6 @@ MeshTileWorker::MeshTileWorker(const MeshJob& job,
       runs_(runs),
       fronts_(fronts),
       front_(front),
-      fill_(fill_function(job.format)),
       near_far_(make_input(job)),
       buffer_(job.format, near_far_, job.grid),
       proof_(job.format),
@@ -234,7 +233,7 @@ void MeshTileWorker::draw_scalar(const std::vector<Batch>& batches, std::uint32_
     const FillJob fill{job_.format, near_far_, batches};
     if (fill_triangle(fill, entry, buffer_)) return;
     buffer_.touch();
-    fill_(fill, {&entry, 1}, buffer_);
+    fill_tile(fill, {&entry, 1}, buffer_);
 }
 
 }  // namespace ink::raster

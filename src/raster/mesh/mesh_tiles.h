@@ -55,7 +55,6 @@ class MeshTileWorker {
     std::size_t fronts_;
     FrontDepth& front_;
     bool is_late_ = false;  ///< all of the tile that faces the eye is drawn
-    FillTile fill_;
     PassInput near_far_;
     TileBuffer buffer_;
     LaneTriangles triangles_;

@@ -48,12 +48,11 @@ void fill_tiles(const FillJob& job,
                 std::atomic<int>& next_tile,
                 TileSink& sink,
                 PassStats& stats) {
-    const FillTile fill = fill_function(job.format);
     TileBuffer buffer(job.format, job.input, grid);
     for (int tile = next_tile++; tile < grid.count(); tile = next_tile++) {
         buffer.start(tile);
         if (!bins.of(tile).empty()) buffer.touch();
-        const FillCounts counts = fill(job, bins.of(tile), buffer);
+        const FillCounts counts = fill_tile(job, bins.of(tile), buffer);
         const bool is_empty = counts.kept == 0;
         buffer.finish();
         if (!is_empty) buffer.extend_frame();

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-
-#include "raster/pass/stores.h"
+#include <cmath>
 
 namespace ink::raster {
 namespace {
@@ -74,85 +72,108 @@ Span covered_span(const SetupTriangle& t, const Span& row, int y) {
     return span;
 }
 
-/// Depth-tests the run and writes what passes; returns how many did.
-template <class Depth, class Attributes>
-std::uint64_t fill_span(const SetupTriangle& t,
-                        const Span& span,
-                        double q_row,
-                        const Depth& depth,
-                        typename Depth::Value* depth_row,
-                        const Attributes& attributes) {
-    std::uint64_t kept = 0;
-    const Plane plane = t.q;
-    const double q_min = t.q_min;
-    const double q_max = t.q_max;
-    const int ref_x = t.ref_x;
-    for (int x = span.begin; x < span.end; ++x) {
-        const double q = std::clamp(q_row + plane.dx * (x - ref_x), q_min, q_max);
-        const typename Depth::Value d = depth.of(q);
-        if (!(d > depth_row[x])) continue;
-        depth_row[x] = d;
-        attributes.write(x, q);
-        ++kept;
-    }
-    return kept;
-}
+/// What a triangle leaves at a pixel, by the formulas that lanes follow.
+class PixelWriter {
+  public:
+    PixelWriter(const FillJob& job, const BinEntry& entry, TileBuffer& to)
+        : format_(job.format),
+          depth_(format_.depth, job.input.near, job.input.far),
+          batch_(job.batches[entry.batch]),
+          t_(batch_.triangles[entry.index]),
+          first_plane_(entry.index * static_cast<std::size_t>(format_.interpolants)),
+          constant_(format_.constant ? job.input.constants[t_.triangle] : 0),
+          to_(to) {}
 
-template <class Depth, class Attributes>
-void fill_triangle(const FillSource& from,
-                   const Depth& depth,
-                   TileBuffer& buffer,
-                   FillCounts& counts) {
-    const SetupTriangle& t = from.triangle();
+    /// Whether it is nearer than what was there; writes it then.
+    bool write(int x, int y, double q) {
+        const bool is_nearer = format_.depth == DepthFormat::q32
+                                   ? replace(to_.depth_row<float>(y)[x], static_cast<float>(q))
+                                   : replace(to_.depth_row<std::uint32_t>(y)[x], depth_.of(q));
+        if (!is_nearer || format_.store == Store::none) return is_nearer;
+        if (format_.interpolants == 0) {
+            write_constant(x, y);
+            return true;
+        }
+        for (int k = 0; k < format_.interpolants; ++k) {
+            if (format_.store == Store::f32) {
+                to_.plane_row<float>(k, y)[x] = number(k, x, y, q);
+            } else {
+                to_.code_row(k, y)[x] = stored(fixed(k, x, y, q));
+            }
+        }
+        return true;
+    }
+
+  private:
+    template <class T>
+    static bool replace(T& old, T depth) {
+        const bool is_nearer = depth > old;
+        if (is_nearer) old = depth;
+        return is_nearer;
+    }
+    void write_constant(int x, int y) {
+        if (format_.store == Store::u8) {
+            to_.plane_row<std::uint8_t>(0, y)[x] = static_cast<std::uint8_t>(constant_);
+        } else {
+            to_.plane_row<std::uint32_t>(0, y)[x] = constant_;
+        }
+    }
+    [[nodiscard]] float number(int k, int x, int y, double q) const {
+        const FloatPlane& p = batch_.float_planes[first_plane_ + static_cast<std::size_t>(k)];
+        const bool is_perspective = format_.interpolation == Interpolation::perspective;
+        const double at_row = p.plane.at_ref + p.plane.dy * (y - t_.ref_y);
+        const double v = at_row + p.plane.dx * (x - t_.ref_x);
+        const auto value = static_cast<float>(is_perspective ? v / q : v);
+        return is_perspective || t_.is_thin ? std::clamp(value, p.lowest, p.highest) : value;
+    }
+    /// A code in 48.16.
+    [[nodiscard]] std::int64_t fixed(int k, int x, int y, double q) const {
+        if (!has_code_planes(format_)) {
+            constexpr double kFarthest = 0x1p60;
+            const double whole =
+                std::floor(static_cast<double>(number(k, x, y, q)) * (1 << kCodeFractionBits));
+            return static_cast<std::int64_t>(std::clamp(whole, -kFarthest, kFarthest)) +
+                   (static_cast<std::int64_t>(constant_) << kCodeFractionBits);
+        }
+        const CodePlane& p = batch_.code_planes[first_plane_ + static_cast<std::size_t>(k)];
+        const std::int64_t v = p.at_ref + p.dy * (y - t_.ref_y) + p.dx * (x - t_.ref_x);
+        return t_.is_thin ? std::clamp(v, p.lowest, p.highest) : v;
+    }
+    [[nodiscard]] std::uint32_t stored(std::int64_t fixed) const {
+        const std::int64_t most = format_.store == Store::u8 ? 0xff : 0xffff;
+        const std::int64_t code = fixed >> kCodeFractionBits;
+        return static_cast<std::uint32_t>(format_.overflow == Overflow::wrap
+                                              ? code & most
+                                              : std::clamp<std::int64_t>(code, 0, most));
+    }
+
+    const PassFormat& format_;
+    QuantisedDepth depth_;
+    const Batch& batch_;
+    const SetupTriangle& t_;
+    std::size_t first_plane_;
+    std::uint32_t constant_;
+    TileBuffer& to_;
+};
+
+void fill_plainly(const FillJob& job,
+                  const BinEntry& entry,
+                  TileBuffer& buffer,
+                  FillCounts& counts) {
+    const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
     const PixelRect& area = buffer.drawn();
     const Span row{std::max(t.bounds.x0, area.x0), std::min(t.bounds.x1, area.x1)};
     const int y_end = std::min(t.bounds.y1, area.y1);
-    Attributes attributes(from);
+    PixelWriter writer(job, entry, buffer);
     for (int y = std::max(t.bounds.y0, area.y0); y < y_end; ++y) {
         const Span span = covered_span(t, row, y);
-        if (span.begin >= span.end) continue;
-        counts.covered += static_cast<std::uint64_t>(span.end - span.begin);
-        attributes.start_row(buffer, y);
         const double q_row = t.q.at_ref + t.q.dy * (y - t.ref_y);
-        auto* depth_row = buffer.depth_row<typename Depth::Value>(y);
-        counts.kept += fill_span(t, span, q_row, depth, depth_row, attributes);
+        for (int x = span.begin; x < span.end; ++x) {
+            const double q = std::clamp(q_row + t.q.dx * (x - t.ref_x), t.q_min, t.q_max);
+            ++counts.covered;
+            counts.kept += writer.write(x, y, q) ? 1 : 0;
+        }
     }
-}
-
-template <class Depth, class Attributes>
-FillCounts fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer) {
-    const Depth depth(QuantisedDepth(job.format.depth, job.input.near, job.input.far));
-    FillCounts counts;
-    for (const BinEntry& entry : entries) {
-        const FillSource from{job.format, job.input, job.batches[entry.batch], entry.index};
-        fill_triangle<Depth, Attributes>(from, depth, buffer, counts);
-    }
-    return counts;
-}
-
-template <class Attributes>
-FillTile with_depth(DepthFormat format) {
-    return format == DepthFormat::q32 ? &fill_tile<FloatDepth, Attributes>
-                                      : &fill_tile<StepDepth, Attributes>;
-}
-
-template <class T, std::size_t kCount, Overflow kOverflow>
-FillTile code_fill(const PassFormat& format) {
-    return format.interpolation == Interpolation::affine
-               ? with_depth<CodeStore<T, kCount, kOverflow>>(format.depth)
-               : with_depth<PerspectiveStore<T, kCount, kOverflow>>(format.depth);
-}
-
-template <class T, std::size_t kCount>
-FillTile code_fill(const PassFormat& format) {
-    return format.overflow == Overflow::saturate ? code_fill<T, kCount, Overflow::saturate>(format)
-                                                 : code_fill<T, kCount, Overflow::wrap>(format);
-}
-
-FillTile float_fill(const PassFormat& format) {
-    return format.interpolation == Interpolation::affine
-               ? with_depth<FloatStore<4>>(format.depth)
-               : with_depth<PerspectiveStore<float, 4, Overflow::saturate>>(format.depth);
 }
 
 }  // namespace
@@ -195,19 +216,11 @@ bool FlatProof::is_flat(const PixelRect& rect) const {
     return owner != triangles_.end() && is_unlimited(*owner, rect);
 }
 
-FillTile fill_function(const PassFormat& format) {
-    const int k = format.interpolants;
-    const Store store = format.store;
-    if (k == 0 && store == Store::none) return with_depth<NoStore>(format.depth);
-    if (k == 0 && store == Store::u8) return with_depth<ConstantStore<std::uint8_t>>(format.depth);
-    if (k == 0 && store == Store::u32)
-        return with_depth<ConstantStore<std::uint32_t>>(format.depth);
-    if (k == 1 && store == Store::u8) return code_fill<std::uint8_t, 1>(format);
-    if (k == 1 && store == Store::u16) return code_fill<std::uint16_t, 1>(format);
-    if (k == 2 && store == Store::u8) return code_fill<std::uint8_t, 2>(format);
-    if (k == 4 && store == Store::f32) return float_fill(format);
-    assert(false && "no method uses this pair of interpolants and store: add it to fill_function");
-    return nullptr;
+FillCounts fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer) {
+    FillCounts counts;
+    for (const BinEntry& entry : entries)
+        fill_plainly(job, entry, buffer, counts);
+    return counts;
 }
 
 }  // namespace ink::raster

@@ -62,14 +62,8 @@ struct FillCounts {
 /// Rasterizes the listed triangles in order into a buffer that holds sky.
 ///
 /// A pixel's value depends on the pixel and the triangle alone, never on the tile: so a halo pixel
-/// has the bits that its own tile gives it.
-using FillTile = FillCounts (*)(const FillJob& job,
-                                std::span<const BinEntry> entries,
-                                TileBuffer& buffer);
-
-/// The fill function compiled for `format`; a format outside the closed set is an assertion.
-///
-/// The plain loop that the kernels of triangle_fill.h equal bit for bit.
-[[nodiscard]] FillTile fill_function(const PassFormat& format);
+/// has the bits that its own tile gives it. The plain loop that the kernels of triangle_fill.h
+/// equal bit for bit.
+FillCounts fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer);
 
 }  // namespace ink::raster
