@@ -31,9 +31,9 @@ void time_frames(benchmark::State& state, std::size_t most_frames) {
     for (auto _ : state)
         models.pose(frames[i++ % 2]);
     models.pose(frames[0]);
-    const methods::SoupTotals totals = models.totals();
-    state.SetLabel(core::Hasher().value(totals.edges).value(totals.boundary).hex());
-    state.counters["edges"] = static_cast<double>(totals.edges);
+    const auto lines = models.lines({{3, 2, 4}});
+    state.SetLabel(core::Hasher().value(lines.size()).hex());
+    state.counters["lines"] = static_cast<double>(lines.size());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "edge/set_pixels.h"
 #include "shade/compose.h"
 
 namespace ink::methods {
@@ -36,7 +37,7 @@ void count_drawn(const edge::EdgeImage& lines,
                  core::Image<std::uint16_t>& counts) {
     for (int y = 0; y + shift < lines.height_px(); ++y) {
         std::uint16_t* of_row = counts.row((y + shift) / n);
-        shade::visit_drawn(lines, y, [&](int x) {
+        edge::visit_set_pixels(lines.row(y), lines.width_px(), [&](int x) {
             if (x + shift < lines.width_px()) ++of_row[(x + shift) / n];
         });
     }

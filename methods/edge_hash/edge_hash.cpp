@@ -3,35 +3,9 @@
 
 #include "methods/edge_hash/edge_hash.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <glm/trigonometric.hpp>
-#include <utility>
 
 namespace ink::methods {
-namespace {
-
-constexpr glm::u8vec3 kPaper{240, 240, 240};
-constexpr glm::u8vec3 kSurface{150, 150, 150};
-
-struct KindColor {
-    buffers::EdgeKind kind;
-    glm::u8vec3 color;
-};
-
-/// In the order in which they are drawn: what is wrong with a model lies on top.
-constexpr std::array<KindColor, 3> kKindColors = {{{buffers::EdgeKind::crease, {255, 255, 255}},
-                                                   {buffers::EdgeKind::contour, {0, 0, 0}},
-                                                   {buffers::EdgeKind::boundary, {255, 0, 0}}}};
-
-std::size_t count_of(const std::vector<buffers::KnownEdge>& edges, buffers::EdgeKind kind) {
-    return static_cast<std::size_t>(std::ranges::count(edges, kind, &buffers::KnownEdge::kind));
-}
-
-}  // namespace
-
 core::ParamTable<EdgeHash::Params> EdgeHash::table() {
     core::ParamTable<Params> table;
     table
@@ -86,50 +60,6 @@ scene::Viewpoint EdgeHash::eye_of(const scene::Camera& camera) {
     if (eye_ && *eye_ != camera.viewpoint()) before_ = eye_;
     eye_ = camera.viewpoint();
     return params_.eye == Eye::stale && before_ ? *before_ : camera.viewpoint();
-}
-
-DebugImage EdgeHash::debug_image(const method::Frame& frame) {
-    const int width_px = frame.view.width_px;
-    const int height_px = frame.view.height_px;
-    DebugImage image{core::Image<glm::u8vec3>(width_px, height_px, kPaper), {}};
-    if (pass().is_empty()) return image;
-    const auto edges = models_.lines(eye_of(frame.view.camera));
-    image.counts = {.contours = count_of(edges, buffers::EdgeKind::contour),
-                    .creases = count_of(edges, buffers::EdgeKind::crease),
-                    .boundary = count_of(edges, buffers::EdgeKind::boundary),
-                    .models = models_.totals()};
-    (void)pass().fill(frame);
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-        if (pass().depth().bits().data()[i] > 0) image.rgb.data()[i] = kSurface;
-    }
-    for (const auto& [kind, color] : kKindColors) {
-        buffers::KindWidths widths;
-        if (kind == buffers::EdgeKind::crease) widths.crease_px = params_.width_crease_px;
-        if (kind == buffers::EdgeKind::contour) widths.contour_px = params_.width_contour_px;
-        if (kind == buffers::EdgeKind::boundary) widths.boundary_px = params_.width_contour_px;
-        edge::EdgeImage lines(width_px, height_px);
-        pass().draw(frame, edges, widths, lines);
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            if (lines.data()[i] > 0) image.rgb.data()[i] = color;
-        }
-    }
-    return image;
-}
-
-std::vector<method::Layer> EdgeHash::layers(const method::Frame& frame) {
-    DebugImage image = debug_image(frame);
-    const EdgeCounts& counts = image.counts;
-    return {{"edges",
-             std::move(image.rgb),
-             fmt::format("{} edges: {} contours (black), {} creases (white), {} boundary (red); {} "
-                         "of three faces or more; {} triangles without area, {} doubled",
-                         counts.models.edges,
-                         counts.contours,
-                         counts.creases,
-                         counts.boundary,
-                         counts.models.non_manifold,
-                         counts.models.degenerate,
-                         counts.models.duplicate)}};
 }
 
 method::MethodInfo edge_hash_method() {

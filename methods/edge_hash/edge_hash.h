@@ -7,20 +7,6 @@
 
 namespace ink::methods {
 
-/// How many edges of each kind one frame has, hidden or not.
-struct EdgeCounts {
-    std::size_t contours = 0;
-    std::size_t creases = 0;
-    std::size_t boundary = 0;
-    SoupTotals models;  ///< what they were chosen from
-};
-
-/// TechnicalQuake's debug view: contours black, creases white, boundary edges red, surfaces grey.
-struct DebugImage {
-    core::Image<glm::u8vec3> rgb;
-    EdgeCounts counts;
-};
-
 /// TechnicalQuake's outlines: adjacency rebuilt from loose polygons into a hash of model, frame and
 /// edge, kept from frame to frame.
 class EdgeHash : public buffers::HiddenLinesMethod {
@@ -43,13 +29,6 @@ class EdgeHash : public buffers::HiddenLinesMethod {
     void prepare(const scene::PreparedScene& scene) override;
     /// Finds the edges of frames that are new, and finds those again that are not.
     void pose(const scene::PreparedScene& scene) override;
-    /// `edges`: the debug_image, its counts in the note.
-    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
-
-    /// The frame in colours, its lines as wide as draw() has them, boundary edges always drawn;
-    /// with the counts of the edges behind it. Surfaces are grey, paper is lighter.
-    [[nodiscard]] DebugImage debug_image(const method::Frame& frame);
-
     /// What pose() built and what it found since prepare().
     [[nodiscard]] const EdgeCacheCounts& cache_counts() const { return models_.cache_counts(); }
 

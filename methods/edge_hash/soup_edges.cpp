@@ -56,16 +56,6 @@ SoupEdges find_edges(const Soup& soup, double epsilon) {
         }
     }
     list_faces(edge_of, found);
-
-    found.counts = {.triangles = static_cast<std::uint32_t>(soup.triangles.size()),
-                    .degenerate = welded.degenerate,
-                    .duplicate = welded.duplicate,
-                    .places = static_cast<std::uint32_t>(found.vertex_of.size()),
-                    .edges = static_cast<std::uint32_t>(found.edges.size())};
-    for (const SoupEdge& edge : found.edges) {
-        if (edge.count == 1) ++found.counts.boundary;
-        if (edge.count > 2) ++found.counts.non_manifold;
-    }
     return found;
 }
 

@@ -24,24 +24,12 @@ struct SoupEdge {
     std::uint32_t count = 0;  ///< faces: 1 boundary, 2, or more
 };
 
-/// What was met on the way.
-struct SoupCounts {
-    std::uint32_t triangles = 0;
-    std::uint32_t degenerate = 0;  ///< dropped: two corners in one place, or collinear
-    std::uint32_t duplicate = 0;   ///< dropped: a face that is there twice, whichever way it runs
-    std::uint32_t places = 0;
-    std::uint32_t edges = 0;
-    std::uint32_t boundary = 0;      ///< edges of one face
-    std::uint32_t non_manifold = 0;  ///< edges of three faces and more
-};
-
 /// The adjacency of one frame of a model, rebuilt from loose polygons: TechnicalQuake's edge hash.
 struct SoupEdges {
     std::vector<std::uint32_t> vertex_of;  ///< per place the vertex that says where it is
     std::vector<scene::Triangle> faces;    ///< over places
     std::vector<SoupEdge> edges;
     std::vector<EdgeFace> faces_at;  ///< grouped by edge
-    SoupCounts counts;
 
     [[nodiscard]] std::span<const EdgeFace> faces_of(const SoupEdge& edge) const {
         return {faces_at.data() + edge.first, edge.count};

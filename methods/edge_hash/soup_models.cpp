@@ -194,17 +194,4 @@ std::vector<buffers::KnownEdge> SoupModels::lines(const scene::Viewpoint& eye) c
     return lines;
 }
 
-SoupTotals SoupModels::totals() const {
-    SoupTotals totals;
-    for (const Placed& placed : placed_) {
-        const SoupCounts& counts = placed.soup->counts;
-        totals.edges += counts.edges;
-        totals.boundary += counts.boundary;
-        totals.non_manifold += counts.non_manifold;
-        totals.degenerate += counts.degenerate;
-        totals.duplicate += counts.duplicate;
-    }
-    return totals;
-}
-
 }  // namespace ink::methods

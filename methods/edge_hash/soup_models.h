@@ -62,15 +62,6 @@ enum class ModelScope {
     scene,   ///< the whole scene is one, as it stands
 };
 
-/// What a scene's models are made of at the moment, over all objects.
-struct SoupTotals {
-    std::size_t edges = 0;
-    std::size_t boundary = 0;
-    std::size_t non_manifold = 0;
-    std::size_t degenerate = 0;
-    std::size_t duplicate = 0;
-};
-
 /// The edges of a scene's models in their frames, where they are, and what each is from an eye.
 ///
 /// Which side of an edge a face is on is asked for each face by itself, exactly, so that mixed
@@ -96,7 +87,6 @@ class SoupModels {
     [[nodiscard]] std::vector<buffers::KnownEdge> lines(const scene::Viewpoint& eye) const;
 
     [[nodiscard]] const EdgeCacheCounts& cache_counts() const { return cache_.counts(); }
-    [[nodiscard]] SoupTotals totals() const;
 
   private:
     /// A model where one of its objects stands.

@@ -41,38 +41,34 @@ buffers::EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule e
 
 }  // namespace
 
-void ListedModels::build(const std::vector<Corner>& corners,
-                         const std::vector<glm::dvec3>& points,
-                         const std::vector<scene::Triangle>& triangles,
-                         Built& built) const {
+std::shared_ptr<const ListedModels::List> ListedModels::build(
+    const std::vector<Corner>& corners,
+    const std::vector<glm::dvec3>& points,
+    const std::vector<scene::Triangle>& triangles) const {
     const buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
     List list;
     list.faces = buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
     check_size(builder_, list.faces.size());
-    EdgeListing listing = list_edges(list.faces, builder_);
-    list.edges = std::move(listing.edges);
+    list.edges = list_edges(list.faces, builder_).edges;
     for (const std::uint32_t vertex : weld.first_of)
         list.places.push_back(corners[vertex]);
-    built.lists.push_back(std::make_shared<const List>(std::move(list)));
-    built.counts.lookups += listing.counts.lookups;
-    built.counts.comparisons += listing.counts.comparisons;
-    built.counts.longest = std::max(built.counts.longest, listing.counts.longest);
+    return std::make_shared<const List>(std::move(list));
 }
 
 /// A list per mesh: one that is used twice is listed once.
-ListedModels::Built ListedModels::build_objects(const scene::Scene& scene) const {
-    Built built;
+ListedModels::Lists ListedModels::build_objects(const scene::Scene& scene) const {
+    Lists lists;
     for (const scene::Mesh& mesh : scene.meshes) {
         std::vector<Corner> corners(mesh.positions.size());
         for (std::uint32_t v = 0; v < corners.size(); ++v)
             corners[v].vertex = v;
         const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
-        build(corners, points, mesh.triangles, built);
+        lists.push_back(build(corners, points, mesh.triangles));
     }
-    return built;
+    return lists;
 }
 
-ListedModels::Built ListedModels::build_scene(const scene::Scene& scene) const {
+ListedModels::Lists ListedModels::build_scene(const scene::Scene& scene) const {
     std::vector<Corner> corners;
     std::vector<glm::dvec3> points;
     std::vector<scene::Triangle> triangles;
@@ -91,22 +87,19 @@ ListedModels::Built ListedModels::build_scene(const scene::Scene& scene) const {
             triangles.push_back(corner);
         }
     }
-    Built built;
-    build(corners, points, triangles, built);
-    return built;
+    return {build(corners, points, triangles)};
 }
 
 void ListedModels::prepare(const scene::PreparedScene& scene) {
     const bool is_by_object = scope_ == EdgeScope::object;
-    const auto built = scene.get(
+    const auto lists = scene.get(
         fmt::format("edge lists {} {}", static_cast<int>(builder_), static_cast<int>(scope_)),
         [&] { return is_by_object ? build_objects(scene) : build_scene(scene); });
-    counts_ = built->counts;
     listed_hash_ = scene.hash();
     placed_.clear();
     for (std::uint32_t i = 0; i < (is_by_object ? scene->instances.size() : 1); ++i) {
         const std::size_t list = is_by_object ? scene->instances[i].mesh : 0;
-        placed_.push_back({built->lists[list], i, {}, {}, {}});
+        placed_.push_back({(*lists)[list], i, {}, {}, {}});
     }
 }
 
@@ -179,13 +172,6 @@ std::vector<buffers::KnownEdge> ListedModels::lines(const scene::Camera& camera,
         append_lines(placed, facings, edge_on, lines);
     }
     return lines;
-}
-
-std::size_t ListedModels::edge_count() const {
-    std::size_t count = 0;
-    for (const Placed& placed : placed_)
-        count += placed.list->edges.size();
-    return count;
 }
 
 }  // namespace ink::methods

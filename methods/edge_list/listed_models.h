@@ -47,10 +47,6 @@ class ListedModels {
                                                         FacingRule facing,
                                                         EdgeOnRule edge_on) const;
 
-    /// What the builder did, over all lists.
-    [[nodiscard]] const BuildCounts& counts() const { return counts_; }
-    [[nodiscard]] std::size_t edge_count() const;  ///< over all objects
-
   private:
     /// A vertex of the scene.
     struct Corner {
@@ -71,17 +67,13 @@ class ListedModels {
         std::vector<std::uint8_t> is_crease;  ///< per edge
     };
 
-    /// All lists of a scene, and what they cost to build.
-    struct Built {
-        std::vector<std::shared_ptr<const List>> lists;
-        BuildCounts counts;
-    };
-    void build(const std::vector<Corner>& corners,
-               const std::vector<glm::dvec3>& points,
-               const std::vector<scene::Triangle>& triangles,
-               Built& built) const;
-    [[nodiscard]] Built build_objects(const scene::Scene& scene) const;
-    [[nodiscard]] Built build_scene(const scene::Scene& scene) const;
+    using Lists = std::vector<std::shared_ptr<const List>>;
+    [[nodiscard]] std::shared_ptr<const List> build(
+        const std::vector<Corner>& corners,
+        const std::vector<glm::dvec3>& points,
+        const std::vector<scene::Triangle>& triangles) const;
+    [[nodiscard]] Lists build_objects(const scene::Scene& scene) const;
+    [[nodiscard]] Lists build_scene(const scene::Scene& scene) const;
     void place(Placed& placed, const scene::Scene& scene) const;
     static void append_lines(const Placed& placed,
                              const std::vector<std::int8_t>& facings,
@@ -92,7 +84,6 @@ class ListedModels {
     EdgeBuilder builder_;
     double crease_rad_;
     std::vector<Placed> placed_;
-    BuildCounts counts_;
     std::uint64_t listed_hash_ = 0;  ///< of the scene as it was listed
 };
 

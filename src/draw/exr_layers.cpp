@@ -166,10 +166,8 @@ void write_drawing_exr(const harness::SceneViews& scene_views,
     if (!drawing.shading.is_empty()) add_colours(drawing.shading, "shading.", file);
     file.channels.push_back({"response.Y", shares(drawing.edge_responses)});
     file.attributes = origin(scene_views);
-    for (const method::Layer& layer : layers) {
+    for (const method::Layer& layer : layers)
         add_colours(layer.rgb, layer.name + ".", file);
-        if (!layer.note.empty()) file.attributes.push_back({"ink:" + layer.name, layer.note});
-    }
     file.attributes.push_back({image_io::kMixedText, std::string("linear")});
     file.attributes.push_back({"ink:method", config.info->name});
     file.attributes.push_back(

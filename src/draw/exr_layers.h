@@ -53,8 +53,8 @@ void write_truth_png(const TruthOrigin& truth_origin,
 /// Writes a drawing as a multi-channel OpenEXR file: `R G B` (HALF, linear light) the finished
 /// image, `shading.R shading.G shading.B` (the same) what lies under the lines, unless that is
 /// paper, `response.Y` (HALF, k/255) the edge responses of the lines, and of each of the method's
-/// layers `NAME.R NAME.G NAME.B` (as the image), its note in `ink:NAME`; the header as above, and
-/// the method with its parameters.
+/// layers `NAME.R NAME.G NAME.B` (as the image); the header as above, and the method with its
+/// parameters.
 void write_drawing_exr(const harness::SceneViews& scene_views,
                        const method::MethodConfig& config,
                        const Drawing& drawing,

@@ -69,7 +69,6 @@ struct PlanLine {
 struct Layer {
     std::string name;  ///< what `inkbench draw --layer` calls it: small letters and underscores
     core::Image<glm::u8vec3> rgb;  ///< of the view's size
-    std::string note = {};         ///< what it counted, in a line of plain text; empty: nothing
     /// Of an image of codes these themselves, a plane each; else none.
     std::vector<core::Image<std::uint16_t>> codes = {};
 };

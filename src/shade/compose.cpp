@@ -4,6 +4,8 @@
 #include <cassert>
 #include <vector>
 
+#include "edge/set_pixels.h"
+
 namespace ink::shade {
 namespace {
 
@@ -107,7 +109,7 @@ core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& edge_responses,
     core::Image<std::uint8_t> result(width, height);
     const std::vector<DiscRow> rows = disc_rows(diameter_px);
     for (int y = 0; y < height; ++y) {
-        visit_drawn(edge_responses, y, [&](int x) {
+        edge::visit_set_pixels(edge_responses.row(y), width, [&](int x) {
             const std::uint8_t edge_response = edge_responses.row(y)[x];
             for (const DiscRow& row : rows) {
                 if (y + row.y < 0 || y + row.y >= height) continue;

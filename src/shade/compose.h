@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <glm/vec3.hpp>
 
 #include "core/image.h"
@@ -42,23 +41,6 @@ inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kBayer4 = {
 /// nothing. Costs in proportion to the pixels that are not 0 times the disc.
 [[nodiscard]] core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& edge_responses,
                                               int diameter_px);
-
-/// Calls `visit(x)` for each pixel of row `y` that is not 0, from left to right; eight at a time
-/// are passed over where nothing is drawn.
-template <class Visit>
-void visit_drawn(const core::Image<std::uint8_t>& image, int y, const Visit& visit) {
-    const std::uint8_t* row = image.row(y);
-    const int width = image.width_px();
-    for (int x = 0; x < width; ++x) {
-        std::uint64_t eight = 0;
-        if (x + 8 <= width) std::memcpy(&eight, row + x, 8);
-        if (x + 8 <= width && eight == 0) {
-            x += 7;
-        } else if (row[x] != 0) {
-            visit(x);
-        }
-    }
-}
 
 /// Brightness 0 .. 1 as 0 .. 255, rounded and limited; no gamma, as 1998 drew. NaN becomes 0.
 [[nodiscard]] Rgb to_8_bit(const glm::vec3& color);

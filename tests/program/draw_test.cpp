@@ -84,12 +84,6 @@ TEST(Draw, ShadingComesWithoutLinesIfAskedFor) {
     EXPECT_EQ(draw(desk, alone + "--method decaudin"), shading);
 }
 
-TEST(Draw, ALayerThatCountsSaysWhat) {
-    EXPECT_THAT(
-        expect_done(Desk(), "draw cube --method edge_hash --layer edges --size 160x90 -o a.png"),
-        AllOf(HasSubstr("a.png\n54 edges: "), HasSubstr(" 0 boundary (red)")));
-}
-
 TEST(Draw, ShadingsAndTheirParametersAreListed) {
     for (const char* word : {"gouraud", "toon", "gooch", "strokes", "splash_alpha"})
         EXPECT_THAT(expect_done(Desk(), {"list", "shadings"}), HasSubstr(word));

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
-#include <vector>
 
 namespace ink::shade {
 namespace {
@@ -29,25 +27,6 @@ TEST(Compose, InkGoesWhereTheResponseReachesTheThreshold) {
 
 TEST(Compose, NothingOverNothingIsNothing) {
     EXPECT_TRUE(compose({}, {}, {}).is_empty());
-}
-
-TEST(VisitDrawn, MeetsEveryPixelThatIsNotZeroInOrder) {
-    std::mt19937 random(3);
-    for (const int width : {1, 7, 8, 9, 16, 65}) {
-        for (const unsigned one_in : {1U, 3U, 40U}) {
-            core::Image<std::uint8_t> image(width, 2);
-            std::vector<int> expected;
-            for (int x = 0; x < width; ++x) {
-                if (random() % one_in != 0) continue;
-                image.at(x, 1) = static_cast<std::uint8_t>(1 + random() % 255);
-                expected.push_back(x);
-            }
-            std::vector<int> met;
-            visit_drawn(image, 1, [&](int x) { met.push_back(x); });
-            EXPECT_EQ(met, expected) << width;
-            visit_drawn(image, 0, [](int x) { ADD_FAILURE() << x; });
-        }
-    }
 }
 
 TEST(Average, IsTheRoundedMeanOfEverySquare) {

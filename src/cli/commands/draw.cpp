@@ -70,7 +70,6 @@ void write_layer(const DrawArgs& args,
     const method::Layer layer = draw::draw_layer(scene_views, config, args.layer, options);
     draw::write_colours(layer.rgb, args.file);
     fmt::print("{}\n", args.file);
-    if (!layer.note.empty()) fmt::print("{}\n", layer.note);
 }
 
 void run_draw(const DrawArgs& args) {
