@@ -64,12 +64,6 @@ inline void append_words(
         words.push_back(word_at(tile, format.store, k, x, y));
 }
 
-/// A sink that wants nothing.
-class IdleSink : public TileSink {
-  public:
-    void finish(const Tile&) override {}
-};
-
 /// Triangles with all that a pass may want of them, owned.
 struct TestMesh {
     std::vector<glm::dvec3> p_clip;

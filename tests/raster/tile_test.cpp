@@ -96,10 +96,8 @@ class PlacesSink : public TileSink {
 
 TEST(Tiles, CoverTheImageOnceEach) {
     PlacesSink sink;
-    const PassStats stats = draw_pass({}, TestMesh().input(), kWidth_px, kHeight_px, 3, sink);
+    draw_pass({}, TestMesh().input(), kWidth_px, kHeight_px, 3, sink);
     EXPECT_EQ(sink.calls, 12);
-    EXPECT_EQ(stats.tiles, 12U);
-    EXPECT_EQ(stats.tiles_empty, 12U);
     EXPECT_EQ(sink.places.size(), 12U);
     EXPECT_TRUE(sink.places.contains({192, 128, 1, 22}));
     EXPECT_TRUE(sink.places.contains({64, 0, 64, 64}));
@@ -109,9 +107,8 @@ TEST(Tiles, AnEmptyImageCallsNobody) {
     for (const auto& [width_px, height_px] : {std::pair{0, 5}, {5, 0}, {0, 0}}) {
         PlacesSink sink;
         const TestMesh mesh = random_soup(1, 0);
-        const PassStats stats = draw_pass({}, mesh.input(), width_px, height_px, 1, sink);
+        draw_pass({}, mesh.input(), width_px, height_px, 1, sink);
         EXPECT_EQ(sink.calls, 0);
-        EXPECT_EQ(stats.tiles, 0U);
     }
 }
 
@@ -162,14 +159,11 @@ TEST_P(EveryFormat, GivesTheSameBitsOnOneTwoAndFourThreads) {
     input.constants = constants;
 
     WordSink one(format);
-    const PassStats stats = draw_pass(format, input, kWidth_px, kHeight_px, 1, one);
-    EXPECT_GT(stats.samples_kept, 1000U);
+    draw_pass(format, input, kWidth_px, kHeight_px, 1, one);
     for (const int threads : {2, 4}) {
         WordSink many(format);
-        const PassStats again = draw_pass(format, input, kWidth_px, kHeight_px, threads, many);
+        draw_pass(format, input, kWidth_px, kHeight_px, threads, many);
         EXPECT_TRUE(many.tiles == one.tiles) << threads << " threads";
-        EXPECT_EQ(again.samples_covered, stats.samples_covered);
-        EXPECT_EQ(again.triangles_binned, stats.triangles_binned);
     }
 }
 

@@ -34,7 +34,7 @@ void MeshRun::start(const MeshJob& job) {
     scalar().triangles.clear();
     scalar().code_planes.clear();
     scalar().float_planes.clear();
-    scalar().stats = {};
+    scalar().no_sample = 0;
     skips_ = {};
 }
 

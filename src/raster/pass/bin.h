@@ -87,7 +87,6 @@ class Bins {
         const auto at = static_cast<std::size_t>(tile);
         return {entries_.data() + first_[at], first_[at + 1] - first_[at]};
     }
-    [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
   private:
     std::vector<BinEntry> entries_;

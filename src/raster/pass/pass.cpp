@@ -29,38 +29,20 @@ void check(const PassFormat& format, const PassInput& input) {
     assert(!format.constant || format.store != Store::f32);
 }
 
-void add(PassStats& to, const PassStats& from) {
-    to.triangles += from.triangles;
-    to.triangles_clipped += from.triangles_clipped;
-    to.triangles_outside += from.triangles_outside;
-    to.triangles_no_sample += from.triangles_no_sample;
-    to.triangles_binned += from.triangles_binned;
-    to.samples_covered += from.samples_covered;
-    to.samples_kept += from.samples_kept;
-    to.tiles += from.tiles;
-    to.tiles_empty += from.tiles_empty;
-}
-
 /// One thread's share of the tiles: it takes the next one until none is left.
 void fill_tiles(const FillJob& job,
                 const TileGrid& grid,
                 const Bins& bins,
                 std::atomic<int>& next_tile,
-                TileSink& sink,
-                PassStats& stats) {
+                TileSink& sink) {
     TileBuffer buffer(job.format, job.input, grid);
     for (int tile = next_tile++; tile < grid.count(); tile = next_tile++) {
         buffer.start(tile);
         if (!bins.of(tile).empty()) buffer.touch();
-        const FillCounts counts = fill_tile(job, bins.of(tile), buffer);
-        const bool is_empty = counts.kept == 0;
+        const bool is_empty = !fill_tile(job, bins.of(tile), buffer);
         buffer.finish();
         if (!is_empty) buffer.extend_frame();
         sink.finish(buffer.view(is_empty));
-        ++stats.tiles;
-        stats.tiles_empty += is_empty ? 1 : 0;
-        stats.samples_covered += counts.covered;
-        stats.samples_kept += counts.kept;
     }
 }
 
@@ -71,34 +53,25 @@ int PassFormat::bytes_per_px() const {
     return depth_bytes + static_cast<int>(bytes_of(store)) * planes();
 }
 
-PassStats draw_pass(const PassFormat& format,
-                    const PassInput& input,
-                    int width_px,
-                    int height_px,
-                    int threads,
-                    TileSink& sink) {
+void draw_pass(const PassFormat& format,
+               const PassInput& input,
+               int width_px,
+               int height_px,
+               int threads,
+               TileSink& sink) {
     assert(width_px >= 0 && height_px >= 0);
     check(format, input);
-    PassStats stats;
-    if (width_px == 0 || height_px == 0) return stats;
+    if (width_px == 0 || height_px == 0) return;
 
     const TileGrid grid{width_px, height_px, format.halo_px};
     const std::vector<Batch> batches =
         set_up_batches(format, input, {0, 0, width_px, height_px}, threads);
     const Bins bins(grid, batches, threads);
-    for (const Batch& batch : batches)
-        add(stats, batch.stats);
-    stats.triangles_binned = bins.size();
-
     const FillJob job{format, input, batches};
     std::atomic<int> next_tile = 0;
-    std::vector<PassStats> shares(static_cast<std::size_t>(std::clamp(threads, 1, grid.count())));
-    core::parallel_for(shares.size(), threads, [&](std::size_t i) {
-        fill_tiles(job, grid, bins, next_tile, sink, shares[i]);
-    });
-    for (const PassStats& share : shares)
-        add(stats, share);
-    return stats;
+    const auto shares = static_cast<std::size_t>(std::clamp(threads, 1, grid.count()));
+    core::parallel_for(
+        shares, threads, [&](std::size_t) { fill_tiles(job, grid, bins, next_tile, sink); });
 }
 
 }  // namespace ink::raster

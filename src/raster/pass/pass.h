@@ -119,19 +119,6 @@ class TileSink {
     virtual void finish(const Tile& tile) = 0;
 };
 
-/// What a pass met.
-struct PassStats {
-    std::uint64_t triangles = 0;            ///< submitted
-    std::uint64_t triangles_clipped = 0;    ///< cut by the near plane or the guard band
-    std::uint64_t triangles_outside = 0;    ///< beyond the near plane or the image
-    std::uint64_t triangles_no_sample = 0;  ///< in the image, but no pixel centre inside
-    std::uint64_t triangles_binned = 0;     ///< entries in tile lists
-    std::uint64_t samples_covered = 0;  ///< pixel centres inside a triangle, halos counted again
-    std::uint64_t samples_kept = 0;     ///< of these, passed the depth test
-    std::uint64_t tiles = 0;
-    std::uint64_t tiles_empty = 0;  ///< nobody drew to them
-};
-
 /// Draws the triangles and hands every tile of a width_px x height_px image to `sink`.
 ///
 /// Exact and watertight: vertices snapped to 1/256 px, integer edge functions, top-left rule, so
@@ -139,11 +126,11 @@ struct PassStats {
 /// Clipped at the near plane and at a guard band far outside the image only. The depth test keeps
 /// the nearest, the first submitted on a tie. The same bits for every thread count. An empty
 /// image calls nobody.
-PassStats draw_pass(const PassFormat& format,
-                    const PassInput& input,
-                    int width_px,
-                    int height_px,
-                    int threads,
-                    TileSink& sink);
+void draw_pass(const PassFormat& format,
+               const PassInput& input,
+               int width_px,
+               int height_px,
+               int threads,
+               TileSink& sink);
 
 }  // namespace ink::raster

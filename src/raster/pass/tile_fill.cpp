@@ -156,10 +156,9 @@ class PixelWriter {
     TileBuffer& to_;
 };
 
-void fill_plainly(const FillJob& job,
-                  const BinEntry& entry,
-                  TileBuffer& buffer,
-                  FillCounts& counts) {
+/// Returns whether it is seen anywhere.
+bool fill_plainly(const FillJob& job, const BinEntry& entry, TileBuffer& buffer) {
+    bool is_seen = false;
     const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
     const PixelRect& area = buffer.drawn();
     const Span row{std::max(t.bounds.x0, area.x0), std::min(t.bounds.x1, area.x1)};
@@ -170,10 +169,10 @@ void fill_plainly(const FillJob& job,
         const double q_row = t.q.at_ref + t.q.dy * (y - t.ref_y);
         for (int x = span.begin; x < span.end; ++x) {
             const double q = std::clamp(q_row + t.q.dx * (x - t.ref_x), t.q_min, t.q_max);
-            ++counts.covered;
-            counts.kept += writer.write(x, y, q) ? 1 : 0;
+            is_seen = writer.write(x, y, q) || is_seen;
         }
     }
+    return is_seen;
 }
 
 }  // namespace
@@ -216,11 +215,11 @@ bool FlatProof::is_flat(const PixelRect& rect) const {
     return owner != triangles_.end() && is_unlimited(*owner, rect);
 }
 
-FillCounts fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer) {
-    FillCounts counts;
+bool fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer) {
+    bool is_seen = false;
     for (const BinEntry& entry : entries)
-        fill_plainly(job, entry, buffer, counts);
-    return counts;
+        is_seen = fill_plainly(job, entry, buffer) || is_seen;
+    return is_seen;
 }
 
 }  // namespace ink::raster

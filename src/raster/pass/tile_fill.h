@@ -53,17 +53,11 @@ struct FillJob {
     const std::vector<Batch>& batches;
 };
 
-/// Pixel centres met in one tile, halo included.
-struct FillCounts {
-    std::uint64_t covered = 0;  ///< inside a triangle
-    std::uint64_t kept = 0;     ///< of these, nearer than what was there
-};
-
 /// Rasterizes the listed triangles in order into a buffer that holds sky.
 ///
 /// A pixel's value depends on the pixel and the triangle alone, never on the tile: so a halo pixel
 /// has the bits that its own tile gives it. The plain loop that the kernels of triangle_fill.h
-/// equal bit for bit.
-FillCounts fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer);
+/// equal bit for bit. Returns whether anything is seen.
+bool fill_tile(const FillJob& job, std::span<const BinEntry> entries, TileBuffer& buffer);
 
 }  // namespace ink::raster

@@ -163,7 +163,6 @@ void TriangleStage::draw_clipped(std::uint32_t triangle, Batch& batch, Tally& ta
     }
     const ClipPolygon polygon = clip_triangle(whole, input_.near);
     if (polygon.count == 0) return;
-    ++batch.stats.triangles_clipped;
 
     std::array<ScreenVertex, ClipPolygon::kMaxCorners> corners;
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i)
@@ -183,7 +182,6 @@ void TriangleStage::draw_clipped(std::uint32_t triangle, Batch& batch, Tally& ta
 }
 
 void TriangleStage::run(std::size_t first, std::size_t last, Batch& batch) const {
-    batch.stats.triangles += last - first;
     for (std::size_t t = first; t < last; ++t) {
         const scene::Triangle& corners = input_.triangles[t];
         const std::uint8_t a = vertices_.outcodes[corners[0]];
@@ -196,8 +194,7 @@ void TriangleStage::run(std::size_t first, std::size_t last, Batch& batch) const
         } else if (!is_lost) {
             draw_clipped(static_cast<std::uint32_t>(t), batch, tally);
         }
-        if (tally.drawn > 0) continue;
-        ++(tally.no_sample > 0 ? batch.stats.triangles_no_sample : batch.stats.triangles_outside);
+        if (tally.drawn == 0 && tally.no_sample > 0) ++batch.no_sample;
     }
 }
 

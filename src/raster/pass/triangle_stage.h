@@ -54,7 +54,7 @@ struct Batch {
     /// made.
     std::vector<CodePlane> code_planes;
     std::vector<FloatPlane> float_planes;
-    PassStats stats;  ///< of this run: submitted, clipped, outside, without sample
+    std::uint64_t no_sample = 0;  ///< submitted ones in the image that have no pixel centre
 };
 
 /// Submitted triangles per batch: a batch of large triangles stays in the second-level cache.
