@@ -124,7 +124,6 @@ raster::SkipCounts FilledLinesMethod::draw_lines(const method::Frame& frame, edg
 
     lines.p_world = pass().surface().p_world;
     lines.view = frame.view;
-    lines.test = raster::LineTest::less_equal;
     lines.threads = frame.threads;
     lines.skips_hidden = frame.skips.has(raster::Skip::occlusion_culling);
     const raster::LineCounts counts = line_pass_.draw(lines, pass().depth(), out);

@@ -27,7 +27,7 @@ struct Band {
 struct LinePass::Scratch {
     struct Run {
         std::vector<ScreenLine> lines;
-        LineCounts counts;
+        std::uint64_t hidden = 0;
     };
     LineVertices vertices;
     DepthBlocks blocks;
@@ -37,16 +37,14 @@ struct LinePass::Scratch {
 namespace {
 
 /// Draws lines that are on the screen.
-template <class Bits, LineTest kTest>
+template <class Bits>
 class LineFill {
   public:
-    LineFill(const LineInput& input, DepthImage& depth, core::Image<std::uint8_t>& out)
+    LineFill(const LineInput& input, const DepthImage& depth, core::Image<std::uint8_t>& out)
         : bits_(depth),
           rule_(input.offset, depth.format(), depth.near(), depth.far()),
           is_offset_(input.offset.is_any()),
           width_px_(line_width_px(input.width_px)),
-          writes_depth_(input.writes_depth),
-          edge_response_(input.edge_response),
           depth_(depth.bits()),
           out_(out) {}
 
@@ -93,36 +91,32 @@ class LineFill {
             write(depth_.row(y)[x], out_.row(y)[x], bits);
     }
     void fill_row(int y, int first, std::uint32_t bits) const {
-        std::uint32_t* const depth = depth_.row(y);
+        const std::uint32_t* const depth = depth_.row(y);
         std::uint8_t* const out = out_.row(y);
         const int x1 = std::min(first + width_px_, out_.width_px());
         for (int x = std::max(first, 0); x < x1; ++x)
             write(depth[x], out[x], bits);
     }
-    void write(std::uint32_t& depth, std::uint8_t& out, std::uint32_t bits) const {
-        if (kTest == LineTest::less && bits <= depth) return;
-        if (kTest == LineTest::less_equal && bits < depth) return;
-        out = edge_response_;
-        if (writes_depth_) depth = bits;
+    /// OpenGL's GL_LEQUAL.
+    static void write(std::uint32_t depth, std::uint8_t& out, std::uint32_t bits) {
+        if (bits >= depth) out = 255;
     }
 
     Bits bits_;
     OffsetRule rule_;
     bool is_offset_;
     int width_px_;
-    bool writes_depth_;
-    std::uint8_t edge_response_;
-    core::Image<std::uint32_t>& depth_;
+    const core::Image<std::uint32_t>& depth_;
     core::Image<std::uint8_t>& out_;
 };
 
 /// Draws all lines of all runs, in order, in bands of rows: each pixel belongs to one thread.
-template <class Bits, LineTest kTest, class Runs>
+template <class Bits, class Runs>
 void fill_bands(const LineInput& input,
                 const Runs& runs,
-                DepthImage& depth,
+                const DepthImage& depth,
                 core::Image<std::uint8_t>& out) {
-    const LineFill<Bits, kTest> fill(input, depth, out);
+    const LineFill<Bits> fill(input, depth, out);
     const int height_px = out.height_px();
     const int bands = input.threads == 1 ? 1 : std::min(4 * input.threads, height_px);
     core::parallel_for(static_cast<std::size_t>(bands), input.threads, [&](std::size_t i) {
@@ -134,21 +128,6 @@ void fill_bands(const LineInput& input,
             }
         }
     });
-}
-
-template <class Bits, class Runs>
-void fill_bands(const LineInput& input,
-                const Runs& runs,
-                DepthImage& depth,
-                core::Image<std::uint8_t>& out) {
-    switch (input.test) {
-        case LineTest::none:
-            return fill_bands<Bits, LineTest::none>(input, runs, depth, out);
-        case LineTest::less:
-            return fill_bands<Bits, LineTest::less>(input, runs, depth, out);
-        case LineTest::less_equal:
-            return fill_bands<Bits, LineTest::less_equal>(input, runs, depth, out);
-    }
 }
 
 }  // namespace
@@ -164,21 +143,19 @@ LinePass::LinePass(LinePass&&) noexcept = default;
 LinePass& LinePass::operator=(LinePass&&) noexcept = default;
 
 LineCounts LinePass::draw(const LineInput& input,
-                          DepthImage& depth,
+                          const DepthImage& depth,
                           core::Image<std::uint8_t>& out) {
     assert(depth.bits().width_px() == input.view.width_px);
     assert(depth.bits().height_px() == input.view.height_px);
     assert(out.width_px() == input.view.width_px && out.height_px() == input.view.height_px);
     assert(input.threads >= 1);
-    LineCounts total;
+    LineCounts total{input.lines.size()};
     if (out.is_empty()) return total;
 
     Scratch& s = *scratch_;
     s.vertices.project(input);
-    // What lines hide from each other is not looked up: blocks are read once.
-    const bool looks_up = input.skips_hidden && !input.writes_depth && input.test != LineTest::none;
-    if (looks_up) s.blocks.find(depth.bits(), input.threads);
-    const LineStage stage(input, s.vertices, depth, looks_up ? &s.blocks : nullptr);
+    if (input.skips_hidden) s.blocks.find(depth.bits(), input.threads);
+    const LineStage stage(input, s.vertices, depth, input.skips_hidden ? &s.blocks : nullptr);
     const std::size_t lines = input.lines.size();
     const std::size_t chunk = input.threads == 1 ? kChunkLines : std::max<std::size_t>(lines, 1);
     s.runs.resize(input.threads == 1 ? 1 : 4 * static_cast<std::size_t>(input.threads));
@@ -189,17 +166,12 @@ LineCounts LinePass::draw(const LineInput& input,
         core::parallel_for(runs, input.threads, [&](std::size_t i) {
             Scratch::Run& run = s.runs[i];
             run.lines.clear();
-            run.counts = {};
             const std::size_t from = i * part.size() / runs;
             const std::size_t to = (i + 1) * part.size() / runs;
-            stage.run(part.subspan(from, to - from), run.lines, run.counts);
+            run.hidden = stage.run(part.subspan(from, to - from), run.lines);
         });
-        for (const Scratch::Run& run : s.runs) {
-            total.lines += run.counts.lines;
-            total.outside += run.counts.outside;
-            total.hidden += run.counts.hidden;
-            total.cut += run.counts.cut;
-        }
+        for (const Scratch::Run& run : s.runs)
+            total.hidden += run.hidden;
         if (depth.format() == DepthFormat::q32) {
             fill_bands<FloatBits>(input, s.runs, depth, out);
         } else {

@@ -21,22 +21,12 @@ struct Line {
     bool is_both_ways = false;
 };
 
-/// Which fragments of lines are seen.
-enum class LineTest {
-    none,        ///< all
-    less,        ///< those nearer than what is there (GL_LESS)
-    less_equal,  ///< those not behind it (GL_LEQUAL)
-};
-
 /// Lines to draw over a frame. Borrowed for the length of the draw.
 struct LineInput {
     std::span<const glm::dvec3> p_world;
     std::span<const Line> lines;  ///< into p_world
     scene::View view;
     double width_px = 1;  ///< drawn as line_width_px() of it
-    std::uint8_t edge_response = 255;
-    LineTest test = LineTest::less_equal;
-    bool writes_depth = false;  ///< what is seen hides what comes after it
     /// Of the lines' own depth; its slope is the line's own, per step along its longer axis.
     PolygonOffset offset;
     int threads = 1;
@@ -47,9 +37,7 @@ struct LineInput {
 /// What a draw met.
 struct LineCounts {
     std::uint64_t lines = 0;
-    std::uint64_t outside = 0;  ///< beyond the near plane or the image
-    std::uint64_t hidden = 0;   ///< passed over: behind all that is there
-    std::uint64_t cut = 0;      ///< by the near plane or the guard band
+    std::uint64_t hidden = 0;  ///< passed over: behind all that is there
 };
 
 /// The width that an aliased line is drawn with: to the nearest whole number (halves up), at least
@@ -72,10 +60,12 @@ class LinePass {
     LinePass(LinePass&&) noexcept;
     LinePass& operator=(LinePass&&) noexcept;
 
-    /// Draws the lines in their order: where one is seen, `out` becomes `edge_response`. `depth`
-    /// (which says what the test's format is) and `out` have the view's size. The same image for
-    /// every thread count. Vertices that are not finite take their lines with them.
-    LineCounts draw(const LineInput& input, DepthImage& depth, core::Image<std::uint8_t>& out);
+    /// Where a line is not behind `depth` (which says what the test's format is), `out` becomes
+    /// 255; both have the view's size. The same image for every thread count. Vertices that are not
+    /// finite take their lines with them.
+    LineCounts draw(const LineInput& input,
+                    const DepthImage& depth,
+                    core::Image<std::uint8_t>& out);
 
   private:
     struct Scratch;

@@ -75,62 +75,51 @@ LineStage::LineStage(const LineInput& input,
       // A pixel more than half the width on every side is enough for any rule.
       margin_px_(line_width_px(input.width_px) / 2 + 2) {}
 
-void LineStage::run(std::span<const Line> lines,
-                    std::vector<ScreenLine>& out,
-                    LineCounts& counts) const {
-    counts.lines += lines.size();
-    for (const Line& line : lines)
-        add(line, out, counts);
-}
-
-void LineStage::add(const Line& line, std::vector<ScreenLine>& out, LineCounts& counts) const {
-    const std::uint8_t a = vertices_.outcodes[line.from];
-    const std::uint8_t b = vertices_.outcodes[line.to];
-    if ((a & b) != 0 || ((a | b) & kNotANumber) != 0) {
-        ++counts.outside;
-        return;
-    }
-    ScreenLine placed;
-    placed.is_both_ways = line.is_both_ways;
-    if ((a | b) == kInside) {
-        placed.a = vertices_.screen[line.from];
-        placed.b = vertices_.screen[line.to];
-        return place(placed, out, counts);
-    }
-    glm::dvec3 from = vertices_.p_clip[line.from];
-    glm::dvec3 to = vertices_.p_clip[line.to];
-    if (!clip_line(from, to, input_.view.camera.near)) {
-        ++counts.outside;
-        return;
-    }
-    ++counts.cut;
-    placed.a = to_screen(from);
-    placed.b = to_screen(to);
-    place(placed, out, counts);
-}
-
-void LineStage::place(const ScreenLine& line,
-                      std::vector<ScreenLine>& out,
-                      LineCounts& counts) const {
+std::uint64_t LineStage::run(std::span<const Line> lines, std::vector<ScreenLine>& out) const {
+    std::uint64_t hidden = 0;
     const auto first = [&](std::int32_t p, std::int32_t q) {
         return std::max((std::min(p, q) >> kSubpixelBits) - margin_px_, 0);
     };
     const auto last = [&](std::int32_t p, std::int32_t q, int size_px) {
         return std::min((std::max(p, q) >> kSubpixelBits) + margin_px_ + 1, size_px);
     };
-    const PixelRect touched{first(line.a.x, line.b.x),
-                            first(line.a.y, line.b.y),
-                            last(line.a.x, line.b.x, input_.view.width_px),
-                            last(line.a.y, line.b.y, input_.view.height_px)};
-    if (touched.is_empty()) {
-        ++counts.outside;
-    } else if (blocks_ != nullptr && is_hidden(line, touched)) {
-        ++counts.hidden;
-    } else {
-        out.push_back(line);
-        out.back().y0 = touched.y0;
-        out.back().y1 = touched.y1;
+    for (const Line& line : lines) {
+        ScreenLine placed;
+        if (!place(line, placed)) continue;
+        const ScreenVertex& a = placed.a;
+        const ScreenVertex& b = placed.b;
+        const PixelRect touched{first(a.x, b.x),
+                                first(a.y, b.y),
+                                last(a.x, b.x, input_.view.width_px),
+                                last(a.y, b.y, input_.view.height_px)};
+        if (touched.is_empty()) continue;
+        if (blocks_ != nullptr && is_hidden(placed, touched)) {
+            ++hidden;
+            continue;
+        }
+        placed.y0 = touched.y0;
+        placed.y1 = touched.y1;
+        out.push_back(placed);
     }
+    return hidden;
+}
+
+bool LineStage::place(const Line& line, ScreenLine& placed) const {
+    const std::uint8_t a = vertices_.outcodes[line.from];
+    const std::uint8_t b = vertices_.outcodes[line.to];
+    if ((a & b) != 0 || ((a | b) & kNotANumber) != 0) return false;
+    placed.is_both_ways = line.is_both_ways;
+    if ((a | b) == kInside) {
+        placed.a = vertices_.screen[line.from];
+        placed.b = vertices_.screen[line.to];
+        return true;
+    }
+    glm::dvec3 from = vertices_.p_clip[line.from];
+    glm::dvec3 to = vertices_.p_clip[line.to];
+    if (!clip_line(from, to, input_.view.camera.near)) return false;
+    placed.a = to_screen(from);
+    placed.b = to_screen(to);
+    return true;
 }
 
 bool LineStage::is_hidden(const ScreenLine& line, const PixelRect& touched) const {

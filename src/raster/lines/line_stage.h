@@ -38,11 +38,13 @@ class LineStage {
               const DepthImage& depth,
               const DepthBlocks* blocks);
 
-    void run(std::span<const Line> lines, std::vector<ScreenLine>& out, LineCounts& counts) const;
+    /// How many are hidden, as the blocks tell.
+    [[nodiscard]] std::uint64_t run(std::span<const Line> lines,
+                                    std::vector<ScreenLine>& out) const;
 
   private:
-    void add(const Line& line, std::vector<ScreenLine>& out, LineCounts& counts) const;
-    void place(const ScreenLine& line, std::vector<ScreenLine>& out, LineCounts& counts) const;
+    /// Whether the line is on the screen; its rows are not told yet.
+    [[nodiscard]] bool place(const Line& line, ScreenLine& placed) const;
     [[nodiscard]] bool is_hidden(const ScreenLine& line, const PixelRect& touched) const;
 
     const LineInput& input_;
