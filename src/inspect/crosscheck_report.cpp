@@ -96,17 +96,6 @@ std::string crosscheck_summary(const harness::Crosscheck& check,
     return text;
 }
 
-std::string id_summary(const IdAgreement& ids) {
-    return fmt::format(
-        "rasterizer's ids against Embree's at {} pixel centres: {} differ within 1/256 px of an "
-        "edge, {} by under 4 depth steps, {} by no more than floats lose, {} otherwise\n",
-        ids.covered,
-        ids.near_edge,
-        ids.near_depth,
-        ids.in_floats,
-        ids.other);
-}
-
 void write_disagreement(const scene::View& view,
                         std::span<const truth::Curve> curves,
                         const harness::Agreement& agreement,

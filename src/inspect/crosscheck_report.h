@@ -7,7 +7,6 @@
 
 #include "harness/rows/row.h"
 #include "harness/truths/crosscheck_cache.h"
-#include "inspect/id_agreement.h"
 #include "truth/curve.h"
 
 namespace ink::inspect {
@@ -17,9 +16,6 @@ namespace ink::inspect {
 /// on strips too thin to be seen. `curves` are the truth's.
 [[nodiscard]] std::string crosscheck_summary(const harness::Crosscheck& check,
                                              std::span<const truth::Curve> curves);
-
-/// The same of the rasterizer's ids against Embree's.
-[[nodiscard]] std::string id_summary(const IdAgreement& ids);
 
 /// Writes a PNG of twice the view's size: lines that both have grey, what only the curves or only
 /// the cross-check have as dots in two colours. Throws core::Error if the file cannot be written.

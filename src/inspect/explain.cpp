@@ -1,16 +1,13 @@
 #include "inspect/explain.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
 #include "core/error.h"
 #include "harness/cells/cell.h"
-#include "inspect/optimisations.h"
-#include "scene/clusters.h"
-#include "scene/surface.h"
+#include "scene/scene_statistics.h"
 
 namespace ink::inspect {
 namespace {
@@ -148,77 +145,24 @@ std::string text_of(const std::vector<Fact>& facts, bool is_whole) {
     return text;
 }
 
-std::string text_of(const std::vector<Optimisation>& optimisations) {
-    std::string text;
-    for (const Optimisation& optimisation : optimisations) {
-        text += fmt::format("  {:<20} {:<4} {}\n",
-                            optimisation.what,
-                            optimisation.may ? "yes" : "no",
-                            optimisation.why);
-    }
-    return text;
-}
-
-/// The names of what may be left out.
-std::string names_of(const std::vector<Optimisation>& optimisations) {
-    std::vector<std::string> names;
-    for (const Optimisation& optimisation : optimisations)
-        if (optimisation.may) names.push_back(optimisation.what);
-    return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-/// Each with its reason.
-std::string reasons_of(const MethodExplanation& method) {
-    std::string text = fmt::format("\n{}: what it may leave out without changing a bit\n{}",
-                                   method.method,
-                                   text_of(method.skips));
-    if (method.channels.empty()) return text;
-    return text +
-           fmt::format("{}: channels that show no line here (leaving one out changes bits)\n{}",
-                       method.method,
-                       text_of(method.channels));
-}
-
-void count_solids(const scene::Scene& scene, SceneFacts& facts) {
-    const std::vector<scene::Solid> solids = scene::make_clusters(scene::flatten(scene)).solids;
-    facts.solids = solids.size();
-    for (const scene::Solid& solid : solids)
-        facts.watertight_solids += solid.is_watertight || solid.is_watertight_covered;
-}
-
-MethodExplanation explain_method(const method::MethodConfig& config,
-                                 const harness::SceneViews& scene_views,
-                                 const SceneFacts& facts) {
-    harness::PreparedMethod prepared(config, scene_views.scene);
-    MethodExplanation explained;
-    explained.method = config.info->name;
-    if (!prepared.failure().empty()) {
-        throw core::Error(config.info->name, prepared.failure(), "a scene that it can prepare");
-    }
-    const auto code = prepared.method().code();
-    explained.channels = channel_optimisations(code, facts.statistics);
-    explained.skips = skip_optimisations(code, facts);
-    explained.plan = prepared.method().plan();
-    return explained;
-}
-
 }  // namespace
 
 Explanation explain(const harness::SceneViews& scene_views,
-                    const std::vector<method::MethodConfig>& configs,
+                    const method::MethodConfig& config,
                     double crease_deg) {
-    SceneFacts facts;
-    facts.statistics = scene::make_scene_statistics(scene_views.scene, glm::radians(crease_deg));
-    count_solids(scene_views.scene, facts);
-    Explanation explanation;
-    explanation.scene = scene_views.scene.name;
-    explanation.facts = facts_of(facts.statistics);
+    const auto statistics =
+        scene::make_scene_statistics(scene_views.scene, glm::radians(crease_deg));
+    Explanation explanation{scene_views.scene.name, facts_of(statistics)};
     for (const scene::View& view : scene_views.views) {
-        facts.views.push_back(scene::make_view_statistics(facts.statistics, view));
-        explanation.views.push_back({view.camera.name, facts_of(facts.views.back())});
+        explanation.views.push_back(
+            {view.camera.name, facts_of(scene::make_view_statistics(statistics, view))});
     }
-    for (const method::MethodConfig& config : configs)
-        explanation.methods.push_back(explain_method(config, scene_views, facts));
+    harness::PreparedMethod prepared(config, scene_views.scene);
+    if (!prepared.failure().empty()) {
+        throw core::Error(config.info->name, prepared.failure(), "a scene that it can prepare");
+    }
+    explanation.method = config.info->name;
+    explanation.plan = prepared.method().plan();
     return explanation;
 }
 
@@ -230,16 +174,9 @@ std::string as_text(const Explanation& explanation, bool is_whole) {
         text += fmt::format(
             "\n{}, seen from {}\n{}", explanation.scene, view.view, text_of(view.facts, true));
     }
-    for (const MethodExplanation& method : explanation.methods) {
-        text += is_whole ? reasons_of(method)
-                         : fmt::format("\n{}: what it may leave out without changing a bit: {}\n",
-                                       method.method,
-                                       names_of(method.skips));
-        if (method.plan.empty()) continue;
-        text += fmt::format("{}: what it chose, and why\n", method.method);
-        for (const method::PlanLine& line : method.plan)
-            text += fmt::format("  {}: {}\n", line.what, line.why);
-    }
+    text += fmt::format("\n{}: what it chose, and why\n", explanation.method);
+    for (const method::PlanLine& line : explanation.plan)
+        text += fmt::format("  {}: {}\n", line.what, line.why);
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/suite/suite.h"
+#include "method/method.h"
 #include "method/method_config.h"
 
 namespace ink::inspect {
@@ -23,39 +24,22 @@ struct ViewFacts {
     std::vector<Fact> facts;
 };
 
-/// Something that a method may leave out, or may not.
-struct Optimisation {
-    std::string what;  ///< a channel, or a skip as raster::skip_infos() calls it
-    bool may = false;
-    std::string why;
-};
-
-/// One method on one scene.
-struct MethodExplanation {
-    std::string method;
-    /// Depth, nx, ny, nz: of no use where the code has no weight for it, or the scene nothing to
-    /// tell by it. Empty where no linear code is declared. Leaving out a weighted one changes the
-    /// image.
-    std::vector<Optimisation> channels;
-    std::vector<Optimisation> skips;  ///< these never change a bit
-    std::vector<method::PlanLine> plan;
-};
-
-/// What a scene has, and what each method may leave out there.
+/// What a scene has, and what a method that chooses by it chose.
 struct Explanation {
     std::string scene;
     std::vector<Fact> facts;
-    std::vector<ViewFacts> views;
-    std::vector<MethodExplanation> methods;
+    std::vector<ViewFacts> views = {};
+    std::string method = {};
+    std::vector<method::PlanLine> plan = {};
 };
 
-/// Prepares every configuration on the scene and asks its declared code; draws nothing.
-/// `crease_deg` is the scene statistics's; a method plans with its own parameter.
+/// Prepares the configuration of `auto` on the scene; draws nothing. `crease_deg` is the scene
+/// statistics's; the method plans with its own parameter.
 [[nodiscard]] Explanation explain(const harness::SceneViews& scene_views,
-                                  const std::vector<method::MethodConfig>& configs,
+                                  const method::MethodConfig& config,
                                   double crease_deg);
 
-/// For a terminal: all of it, or what fits on one, facts that are not 0 and a few lines a method.
+/// For a terminal: all of it, or what fits on one: facts of the scene that are not 0, and the plan.
 [[nodiscard]] std::string as_text(const Explanation& explanation, bool is_whole);
 
 }  // namespace ink::inspect

@@ -13,10 +13,10 @@
 #include <span>
 
 #include "core/simd.h"
-#include "inspect/id_agreement.h"
 #include "raster/pass/vertex_cut.h"
 #include "raster/pass/view_transform.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/inspect/compare_ids.h"
 #include "tests/raster/gather_sink.h"
 
 namespace ink::fuzz {
@@ -149,7 +149,7 @@ bool is_cut_beside(const Stage& stage, std::uint32_t triangle, const glm::dvec2&
         p_clip[i] = transform.to_clip(stage.surface.p_world[stage.surface.triangles[triangle][i]]);
         is_cut = is_cut || raster::needs_cut(p_clip[i], near);
     }
-    return is_cut && inspect::is_near_edge(p_clip, near, p_px);
+    return is_cut && raster::is_near_edge(p_clip, near, p_px);
 }
 
 void check_passes(const Stage& stage) {
@@ -228,7 +228,7 @@ void check_mesh_pass(Bytes bytes) {
     const scene::View& view = *seen_from;
     check_passes(Stage(scene, view));
     const scene::Scene seen = with_sure_ones(scene, view);
-    const inspect::IdAgreement ids = inspect::compare_ids(seen, view, raster::DepthFormat::q32);
+    const raster::IdAgreement ids = raster::compare_ids(seen, view, raster::DepthFormat::q32);
     expect(ids.other == 0, "ids are Embree's, but near edges and where floats tell no depth apart");
 }
 

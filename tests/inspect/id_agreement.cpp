@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "inspect/id_agreement.h"
 #include "scene/views/corner_view.h"
+#include "tests/inspect/compare_ids.h"
 
 namespace ink::raster {
 namespace {
@@ -16,7 +16,7 @@ void expect_same_ids(const scene::Scene& scene,
                      const scene::View& view,
                      DepthFormat depth,
                      const char* what) {
-    const inspect::IdAgreement ids = inspect::compare_ids(scene, view, depth);
+    const IdAgreement ids = compare_ids(scene, view, depth);
     fmt::print("{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} else\n",
                scene.name,
                view.camera.name,

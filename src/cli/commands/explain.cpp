@@ -23,7 +23,6 @@ using Json = nlohmann::ordered_json;
 struct ExplainArgs {
     SceneOptions scene;
     std::string view;
-    std::vector<std::string> methods;
     std::vector<std::string> settings;
     ExperimentOptions options;
     bool all = false;
@@ -44,35 +43,20 @@ Json json_of(const std::vector<inspect::Fact>& facts) {
     return json;
 }
 
-Json json_of(const std::vector<inspect::Optimisation>& optimisations) {
-    Json json = Json::object();
-    for (const inspect::Optimisation& optimisation : optimisations)
-        json[optimisation.what] = {{"may", optimisation.may}, {"why", optimisation.why}};
-    return json;
-}
-
 Json json_of(const inspect::Explanation& explanation) {
     Json json = {{"scene", explanation.scene}, {"statistics", json_of(explanation.facts)}};
     json["views"] = Json::object();
     for (const inspect::ViewFacts& view : explanation.views)
         json["views"][view.view] = json_of(view.facts);
-    json["methods"] = Json::object();
-    for (const inspect::MethodExplanation& method : explanation.methods) {
-        const auto line_json = [](const method::PlanLine& line) -> Json {
-            return {{"what", line.what}, {"why", line.why}};
-        };
-        json["methods"][method.method] = {{"skips", json_of(method.skips)},
-                                          {"channels", json_of(method.channels)},
-                                          {"plan", list_of<Json>(method.plan, line_json)}};
-    }
+    json["plan"] = list_of<Json>(explanation.plan, [](const method::PlanLine& line) -> Json {
+        return {{"what", line.what}, {"why", line.why}};
+    });
     return json;
 }
 
 void run_explain(const ExplainArgs& args) {
-    const bool is_whole = args.all || args.json;
-    auto configs = methods::make_configs(method_list(args.methods), args.settings);
-    if (!is_whole && args.methods.empty()) configs.clear();
     const experiment::Experiment asked = args.options.read();
+    auto configs = methods::make_configs("auto", args.settings);
     methods::follow_crease(asked.crease_deg, configs);
     const harness::ViewRequest request = views_of(asked);
     const std::string scene = one_scene(args.scene, "explain");
@@ -80,16 +64,14 @@ void run_explain(const ExplainArgs& args) {
                                                 ? harness::load_scenes({scene}, request).front()
                                                 : harness::load_one_view(scene, args.view, request);
     const inspect::Explanation explanation =
-        inspect::explain(scene_views, configs, asked.crease_deg);
+        inspect::explain(scene_views, configs.front(), asked.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);
         json["place"] = as_json(place_of(scene_views));
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n{}{}",
-                   as_text(place_of(scene_views)),
-                   inspect::as_text(explanation, is_whole),
-                   configs.empty() ? "(--methods NAME: what it may leave out; --all: all)\n" : "");
+        fmt::print(
+            "{}\n{}", as_text(place_of(scene_views)), inspect::as_text(explanation, args.all));
     }
 }
 
@@ -98,21 +80,19 @@ void run_explain(const ExplainArgs& args) {
 void add_explain_command(CLI::App& app) {
     auto args = std::make_shared<ExplainArgs>();
     auto* command = app.add_subcommand("explain",
-                                       "Explain a scene: where it is, what it has, and what each "
-                                       "method may leave out there and why");
+                                       "Explain a scene: where it is, what it has, and which "
+                                       "method auto chooses for it and why");
     add_one_scene_options(*command, args->scene);
-    add_method_options(*command, args->methods);
-    add_set_option(*command, args->settings);
+    add_set_option(*command, args->settings, "A parameter of auto: key=value");
     CommandRows rows(*command);
     rows.text("--view", args->view, "NAME", "Name of a view (default: all)");
     args->options.add_to(*command, experiment::view_rows());
-    args->options.add_to(*command,
-                         {"measure.crease_deg"},
-                         "Crease angle of the scene statistics, and of methods that use the same");
-    rows.flag("--all", args->all, "All of it, of all methods, with reasons");
+    args->options.add_to(
+        *command, {"measure.crease_deg"}, "Crease angle of the scene statistics, and of auto");
+    rows.flag("--all", args->all, "All of it, with facts of each view");
     rows.flag("--json", args->json, "Print JSON instead of text");
     command->footer(
-        "Example: inkbench explain torus --methods mote4,auto\n"
+        "Example: inkbench explain torus --crease 60\n"
         "Exit codes: 0 done, 2 bad input.");
     command->callback([args] { run_explain(*args); });
 }

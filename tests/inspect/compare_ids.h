@@ -8,12 +8,10 @@
 #include "raster/depth/depth.h"
 #include "scene/scene.h"
 
-namespace ink::inspect {
+namespace ink::raster {
 
-/// How the rasterizer's triangle ids at pixel centres compare with Embree's (section 4 of the
-/// design: the third check of the truth).
+/// How the rasterizer's triangle ids at pixel centres compare with Embree's.
 struct IdAgreement {
-    std::size_t pixels = 0;
     std::size_t covered = 0;  ///< by either
     std::size_t near_edge =
         0;  ///< differ, within 1/256 px of an edge of one of the two as projected
@@ -38,6 +36,6 @@ struct IdAgreement {
 /// tests compare.
 [[nodiscard]] IdAgreement compare_ids(const scene::Scene& scene,
                                       const scene::View& view,
-                                      raster::DepthFormat depth);
+                                      DepthFormat depth);
 
-}  // namespace ink::inspect
+}  // namespace ink::raster

@@ -1,4 +1,4 @@
-#include "inspect/id_agreement.h"
+#include "tests/inspect/compare_ids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,18 +7,15 @@
 #include <numeric>
 #include <vector>
 
-#include "buffers/each_tile.h"
-#include "core/image.h"
 #include "harness/truths/compare_truths.h"
-#include "raster/pass/pass.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
+#include "tests/raster/gather_sink.h"
 #include "truth/eye_scene.h"
 
-namespace ink::inspect {
+namespace ink::raster {
 namespace {
 
-constexpr std::uint32_t kNobody = 0xffffffffU;
 constexpr double kNear_px = 1.0 / 256;
 constexpr double kSteps = 4;
 
@@ -47,31 +44,26 @@ class SeenSurface {
     }
 
     [[nodiscard]] const scene::Projection& projection() const { return projection_; }
-    [[nodiscard]] core::Image<std::uint32_t> draw(raster::DepthFormat depth) const {
-        raster::PassFormat format{.constant = true, .store = raster::Store::u32, .depth = depth};
+    [[nodiscard]] core::Image<std::uint32_t> draw(DepthFormat depth) const {
+        PassFormat format = id_format();
+        format.depth = depth;
         std::vector<std::uint32_t> ids(surface_.triangles.size());
         std::iota(ids.begin(), ids.end(), 0U);
-        raster::PassInput input;
+        PassInput input;
         input.p_clip = p_clip_;
         input.triangles = surface_.triangles;
         input.constants = ids;
         input.near = view_.camera.near;
         input.far = view_.camera.far;
         input.sky_code = {kNobody};
-        core::Image<std::uint32_t> image(view_.width_px, view_.height_px);
-        buffers::EachTile sink([&](const raster::Tile& tile) {
-            for (int y = 0; y < tile.height_px; ++y) {
-                const std::uint32_t* row = tile.row<std::uint32_t>(0, y);
-                std::copy_n(row, tile.width_px, image.row(tile.y0_px + y) + tile.x0_px);
-            }
-        });
-        raster::draw_pass(format, input, view_.width_px, view_.height_px, 1, sink);
-        return image;
+        return gathered<std::uint32_t, std::uint32_t>(
+                   format, input, view_.width_px, view_.height_px)
+            .planes[0];
     }
     [[nodiscard]] bool is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const {
         if (triangle == kNobody) return false;
         const auto& [a, b, c] = surface_.triangles[triangle];
-        return inspect::is_near_edge({p_clip_[a], p_clip_[b], p_clip_[c]}, view_.camera.near, p_px);
+        return raster::is_near_edge({p_clip_[a], p_clip_[b], p_clip_[c]}, view_.camera.near, p_px);
     }
     /// 1/w of the triangle's plane along the pixel's ray.
     [[nodiscard]] double q(std::uint32_t triangle, const glm::dvec2& p_px) const {
@@ -114,12 +106,12 @@ class SeenSurface {
 };
 
 /// The size of one step of the depth format at 1/w = q, in 1/w.
-double step_at(raster::DepthFormat depth, double q, const scene::Camera& camera) {
-    if (depth == raster::DepthFormat::q32) {
+double step_at(DepthFormat depth, double q, const scene::Camera& camera) {
+    if (depth == DepthFormat::q32) {
         const auto rounded = static_cast<float>(q);
         return std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded;
     }
-    const double steps = depth == raster::DepthFormat::z24 ? 16777215 : 65535;
+    const double steps = depth == DepthFormat::z24 ? 16777215 : 65535;
     return (1 / camera.near - 1 / camera.far) / steps;
 }
 
@@ -160,9 +152,7 @@ bool is_near_edge(const std::array<glm::dvec3, 3>& p_clip, double near, const gl
     return false;
 }
 
-IdAgreement compare_ids(const scene::Scene& scene,
-                        const scene::View& view,
-                        raster::DepthFormat depth) {
+IdAgreement compare_ids(const scene::Scene& scene, const scene::View& view, DepthFormat depth) {
     const SeenSurface surface(scene, view);
     const EmbreeIds embree(scene, view);
     const auto ours = surface.draw(depth);
@@ -172,7 +162,6 @@ IdAgreement compare_ids(const scene::Scene& scene,
             const glm::dvec2 p_px(x + 0.5, y + 0.5);
             const std::uint32_t a = ours.at(x, y);
             const std::uint32_t b = embree.at(surface.projection(), p_px);
-            ++result.pixels;
             if (a != kNobody || b != kNobody) ++result.covered;
             if (a == b) continue;
             if (surface.is_near_edge(a, p_px) || surface.is_near_edge(b, p_px)) {
@@ -196,4 +185,4 @@ IdAgreement compare_ids(const scene::Scene& scene,
     return result;
 }
 
-}  // namespace ink::inspect
+}  // namespace ink::raster
