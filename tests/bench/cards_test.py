@@ -1,8 +1,7 @@
-"""experiments/cards: its page has the table that the script makes, and the program reads every card."""
+"""experiments/cards: its page has the table that the script makes."""
 
 import csv
 import json
-import os
 import subprocess
 import tempfile
 import unittest
@@ -10,7 +9,6 @@ from collections import Counter
 from pathlib import Path
 
 CARDS = Path(__file__).resolve().parents[2] / "experiments" / "cards"
-PROGRAM = os.environ.get("INKBENCH", "build/release/inkbench")
 
 
 def said(*words):
@@ -38,12 +36,6 @@ class CardsTest(unittest.TestCase):
 
         self.assertEqual(last_rows(lambda method: 50 * counts[method]), ["1.00", "0 %"])
         self.assertEqual(last_rows(lambda method: 1e9 / counts[method])[0], "-1.00")
-
-    def test_the_program_reads_every_card(self):
-        cards = list(CARDS.glob("*.json"))
-        self.assertGreater(len(cards), 0)
-        for card in cards:
-            self.assertRegex(said(PROGRAM, "page", "--card", card), r"(?m)^surface8 +[\d.]+ +[\d.]+ ", card.name)
 
 
 if __name__ == "__main__":

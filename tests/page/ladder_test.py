@@ -1,11 +1,15 @@
 """The live page's times: what its ladder makes of a made-up timer, sound, coarse or disturbed; and the card of them,
-copied, saved and read back by the program."""
+copied, saved and made a table of."""
 
 import json
+import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 from browser import BrowserTest, inkbench
+
+TABULATE = Path(__file__).resolve().parents[2] / "experiments" / "cards" / "tabulate"
 
 # A timer of a GPU that takes 200 us for a mesh and 10 us for what is drawn over the screen, and 50 us for a query; or,
 # without queries, the clock of the page. No time of this test is the machine's.
@@ -101,9 +105,9 @@ class LadderTest(BrowserTest):
         self.assertEqual([times["method"] for times in card["methods"]], ["surface8", "mote4"])
         file = self.folder / "card.json"
         file.write_text(text)
-        said = inkbench("page", "--card", file)
-        self.assertRegex(said, r"(?m)^GPU +Made-up GPU 1$")
-        self.assertRegex(said, r"(?m)^surface8 +0\.010 +0\.000 +0\.200 +0\.000$")
+        said = subprocess.run([TABULATE, file], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(said, r"(?m)^\| GPU \| Made-up GPU 1 \|$")
+        self.assertRegex(said, r"(?m)^\| `surface8` \| 0\.01 \|$")
         self.script("choose({view: 'iso'})")
         self.assertEqual(self.script("return [...document.querySelectorAll('button')].filter(b => /card/.test(b.textContent)).length"), 0)
 

@@ -26,10 +26,7 @@ TEST(LivePageProgram, RefusesWithOneLineAndLeavesNothing) {
     expect_refused(desk, "page cube", {"there is no file to write", "-o FILE, or --run DIR"});
     expect_refused(desk, "page cube -o a.png", {"a.png", ".html"});
     expect_refused(desk, "page empty.obj -o a.html", {"empty.obj", "the file is empty"});
-    desk.write("card.json", R"({"inkbench_card": 7})");
-    expect_refused(
-        desk, "page --card card.json", {"card.json: inkbench_card: it is 7", "accepted: 1"});
-    EXPECT_THAT(desk.inventory(), testing::SizeIs(2));
+    EXPECT_THAT(desk.inventory(), testing::SizeIs(1));
 }
 
 }  // namespace

@@ -18,7 +18,6 @@
 #include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "harness/truths/tracing.h"
-#include "report/card.h"
 #include "report/live_page.h"
 
 namespace ink::cli {
@@ -29,7 +28,6 @@ struct PageArgs {
     ExperimentOptions options;
     std::string run;
     std::string file;
-    std::string card;
     bool no_truth = false;
     CacheOptions cache;
 };
@@ -56,10 +54,6 @@ std::vector<report::ViewLines> traced_lines(const harness::SceneViews& scene_vie
 }
 
 void run_page(PageArgs args) {
-    if (!args.card.empty()) {
-        fmt::print("{}", report::card_text(report::read_card(args.card)));
-        return;
-    }
     if (args.file.empty() && args.run.empty())
         throw core::Error("page", "there is no file to write", "-o FILE, or --run DIR");
     if (!args.file.empty()) check_output_path(args.file, {".html"});
@@ -102,10 +96,6 @@ void add_page_command(CLI::App& app) {
               "DIR",
               "Folder of a run: the page shows what its methods scored at these views");
     rows.flag("--no-truth", args->no_truth, "Trace no exact lines to lay over the picture");
-    rows.text("--card",
-              args->card,
-              "FILE",
-              "Print the times in a card that such a page gave; no page is made");
     add_cache_options(*command, args->cache);
     command->footer(
         "The page is one file and opens without a network, in any browser with WebGL 2. It has "

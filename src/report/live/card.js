@@ -1,4 +1,4 @@
-// A card: how long the methods take on this GPU, as JSON that `inkbench page --card` reads.
+// A card: how long the methods take on this GPU, as JSON that experiments/cards/tabulate reads.
 
 /// Times methods one after the other, each named to `say` before; without those at which the GPU's clock was disturbed.
 /// `view` is the camera's name, '' if it has none.
