@@ -22,7 +22,7 @@ constexpr Heading kOfCommands[] = {
     {"Lines of one model", "draw truth page bake export figures timedemo"},
     {"Scores and runs", "score report diff merge"},
     {"Methods of your own", "entrant-test new-method"},
-    {"Help", "list completions help"}};
+    {"Help", "list help"}};
 constexpr Heading kOfOptions[] = {
     {"Camera",
      "projection parallel fit margin object eye target up fov time frame animation seams"},

@@ -37,7 +37,6 @@ Words printing_lines(const Desk& desk) {
                   "help",
                   "list",
                   "list --json",
-                  "completions bash",
                   "draw cube --size 64x36 -o e.png",
                   "truth cube --size 64x36 -o e.exr",
                   "explain cube --size 64x36",

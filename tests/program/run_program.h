@@ -99,10 +99,9 @@ void expect_all_refused(const Desk& desk, const Words& begin, const std::vector<
 
 /// Every command.
 inline constexpr const char* kCommands[] = {
-    "compare",    "advise",   "draw",        "truth",  "score",  "explain",
-    "figures",    "timedemo", "tune",        "stress", "run",    "merge",
-    "report",     "page",     "diff",        "bake",   "export", "entrant-test",
-    "new-method", "list",     "completions", "help"};
+    "compare",  "advise", "draw",   "truth",        "score",      "explain", "figures",
+    "timedemo", "tune",   "stress", "run",          "merge",      "report",  "page",
+    "diff",     "bake",   "export", "entrant-test", "new-method", "list",    "help"};
 
 /// A cube and a triangle as model files.
 inline constexpr const char* kCubeObj =

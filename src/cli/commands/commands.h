@@ -33,7 +33,6 @@ namespace ink::cli {
     X(entrant_test) \
     X(new_method) \
     X(list) \
-    X(completions) \
     X(help)
 // clang-format on
 
