@@ -204,19 +204,13 @@ std::string text_of(const py::handle& value) {
     return text == "True" ? "true" : text == "False" ? "false" : text;
 }
 
-Camera::Camera(py::object eye_given,
-               py::object target_given,
-               py::object up_given,
-               py::object fov_given,
-               py::object size_given,
-               py::object height_given)
-    : eye(std::move(eye_given)),
-      target(std::move(target_given)),
-      up(std::move(up_given)),
-      fov_deg(std::move(fov_given)),
-      parallel_height(std::move(height_given)),
-      size(std::move(size_given)),
-      size_px(size_of(size)) {
+Camera::Camera(const py::object& eye,
+               const py::object& target,
+               const py::object& up,
+               const py::object& fov_deg,
+               const py::object& size,
+               const py::object& parallel_height)
+    : size_px(size_of(size)) {
     request.eye_world = point_of(eye, {joined(eye, ","), "--eye"});
     if (!target.is_none())
         request.target_world = point_of(target, {joined(target, ","), "--target"});
@@ -284,7 +278,12 @@ Asked read_asked(const Keywords& keywords, const py::handle& view, const py::dic
 
 void add_camera(py::module_& module) {
     py::class_<Camera>(module, "Camera", "A camera that is set by hand, and the size of its image.")
-        .def(py::init<py::object, py::object, py::object, py::object, py::object, py::object>(),
+        .def(py::init<const py::object&,
+                      const py::object&,
+                      const py::object&,
+                      const py::object&,
+                      const py::object&,
+                      const py::object&>(),
              "Points are in the coordinates of the model's file; without a target it looks at the "
              "scene's centre. fov_deg is vertical, size width and height in px. With "
              "parallel_height it is a "
@@ -294,15 +293,7 @@ void add_camera(py::module_& module) {
              py::arg("up") = py::make_tuple(0, 1, 0),
              py::arg("fov_deg") = harness::CameraRequest{}.fov_deg,
              py::arg("size") = py::make_tuple(1280, 720),
-             py::arg("parallel_height") = py::none())
-        .def_readonly("eye", &Camera::eye, "Where it is.")
-        .def_readonly("target", &Camera::target, "What it looks at; None for the centre.")
-        .def_readonly("up", &Camera::up, "What is up in the image.")
-        .def_readonly("fov_deg", &Camera::fov_deg, "Vertical field of view in degrees.")
-        .def_readonly("parallel_height",
-                      &Camera::parallel_height,
-                      "Height that a parallel camera sees; None for a pinhole.")
-        .def_readonly("size", &Camera::size, "Width and height of the image in px.");
+             py::arg("parallel_height") = py::none());
 }
 
 }  // namespace ink::python

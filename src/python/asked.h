@@ -13,20 +13,14 @@ namespace ink::python {
 /// --parallel and --size of the program, as Python has them.
 struct Camera {
     /// Throws core::Error for what the program would refuse.
-    Camera(pybind11::object eye_given,
-           pybind11::object target_given,
-           pybind11::object up_given,
-           pybind11::object fov_given,
-           pybind11::object size_given,
-           pybind11::object height_given);
+    Camera(const pybind11::object& eye,
+           const pybind11::object& target,
+           const pybind11::object& up,
+           const pybind11::object& fov_deg,
+           const pybind11::object& size,
+           const pybind11::object& parallel_height);
 
-    pybind11::object eye;
-    pybind11::object target;
-    pybind11::object up;
-    pybind11::object fov_deg;
-    pybind11::object parallel_height;
-    pybind11::object size;
-    harness::CameraRequest request = {};  ///< what these mean
+    harness::CameraRequest request = {};
     experiment::ImageSize size_px;
 };
 

@@ -44,12 +44,6 @@ class Camera:
         size: _Size = (1280, 720),
         parallel_height: Optional[float] = None,
     ) -> None: ...
-    eye: Final[_Point]
-    target: Final[Optional[_Point]]
-    up: Final[_Point]
-    fov_deg: Final[float]
-    parallel_height: Final[Optional[float]]
-    size: Final[_Size]
 
 class Buffers:
     depth: Final[NDArray[np.float32]]
@@ -165,12 +159,3 @@ def score(
     band_px: Optional[int] = None,
     ignore: Optional[int] = None,
 ) -> Score: ...
-def score_curve(
-    edges: NDArray[np.uint8],
-    truth: Union[Truth, NDArray[np.uint8]],
-    *,
-    tolerance_px: float = 2.0,
-    thin: bool = True,
-    band_px: Optional[int] = None,
-    ignore: Optional[int] = None,
-) -> NDArray[np.int64]: ...

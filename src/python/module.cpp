@@ -151,12 +151,6 @@ BufferArrays buffers(const py::object& scene, const py::object& view, const py::
     return {std::move(drawn), json};
 }
 
-score::ScoreOptions options_of(double tolerance_px, int threshold, bool thin) {
-    score::ScoreOptions options{.tolerance_px = tolerance_px, .threshold = threshold, .thin = thin};
-    score::check(options);
-    return options;
-}
-
 score::Score score(const py::object& edges,
                    const py::object& truth,
                    double tolerance_px,
@@ -165,34 +159,12 @@ score::Score score(const py::object& edges,
                    std::optional<int> band_px,
                    std::optional<int> ignore) {
     const core::Image<std::uint8_t> drawn = image_of(edges, "edges");
-    const Reference reference =
-        reference_of(truth, options_of(tolerance_px, threshold, thin), band_px, ignore);
+    const score::ScoreOptions options{
+        .tolerance_px = tolerance_px, .threshold = threshold, .thin = thin};
+    score::check(options);
+    const Reference reference = reference_of(truth, options, band_px, ignore);
     const py::gil_scoped_release others_run;
     return score::score(drawn, reference.truth, reference.options);
-}
-
-py::array score_curve(const py::object& edges,
-                      const py::object& truth,
-                      double tolerance_px,
-                      bool thin,
-                      std::optional<int> band_px,
-                      std::optional<int> ignore) {
-    const core::Image<std::uint8_t> drawn = image_of(edges, "edges");
-    const Reference reference =
-        reference_of(truth, options_of(tolerance_px, 128, thin), band_px, ignore);
-    const auto curve = [&] {
-        const py::gil_scoped_release others_run;
-        return score::score_curve(drawn, reference.truth, reference.options);
-    }();
-    py::array_t<std::int64_t> counts({static_cast<py::ssize_t>(curve.size()), py::ssize_t{3}});
-    auto to = counts.mutable_unchecked<2>();
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        const auto row = static_cast<py::ssize_t>(i);
-        to(row, 0) = curve[i].k;
-        to(row, 1) = curve[i].n_pred;
-        to(row, 2) = curve[i].n_truth;
-    }
-    return counts;
 }
 
 /// The functions whose keywords are the program's options.
@@ -283,18 +255,6 @@ PYBIND11_MODULE(inkbench, module) {
         py::kw_only(),
         py::arg("tolerance_px") = 2.0,
         py::arg("threshold") = 128,
-        py::arg("thin") = true,
-        py::arg("band_px") = py::none(),
-        py::arg("ignore") = py::none());
-    module.def(
-        "score_curve",
-        &score_curve,
-        "The same at 99 thresholds: int64, (99, 3), columns k, n_pred, n_truth; row i counts "
-        "pixels of at least (i + 1) / 100 of the full edge response.",
-        py::arg("edges"),
-        py::arg("truth"),
-        py::kw_only(),
-        py::arg("tolerance_px") = 2.0,
         py::arg("thin") = true,
         py::arg("band_px") = py::none(),
         py::arg("ignore") = py::none());

@@ -68,15 +68,6 @@ class Module(unittest.TestCase):
         against_truth = inkbench.score(edges, truth)
         self.assertLess(abs(against_truth.f - found.f), 0.01)
 
-    def test_the_curve_holds_the_score(self):
-        truth = inkbench.truth("gear", **SIZE)
-        edges = inkbench.draw("roberts", "gear", **SIZE)
-        curve = inkbench.score_curve(edges, truth)
-        self.assertEqual((curve.shape, curve.dtype), ((99, 3), np.int64))
-        at_half = inkbench.score(edges, truth, threshold=128)  # 50 / 100 of 255, rounded up
-        self.assertEqual(tuple(curve[49]), (at_half.k, at_half.n_pred, at_half.n_truth))
-        self.assertEqual(inkbench.score(truth.labels, truth, threshold=1, thin=False).recall, 1)
-
     def test_what_comes_out_is_no_copy_and_what_goes_in_is_not_changed(self):
         edges = inkbench.draw("mote4", "cube", **SIZE)
         self.assertFalse(edges.flags.owndata)
