@@ -9,14 +9,9 @@
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
-#include "score/cracks.h"
 #include "score/drawing.h"
-#include "score/far_positives.h"
-#include "score/line_width.h"
 #include "score/matching.h"
-#include "score/offset.h"
 #include "score/score.h"
-#include "truth/cracks.h"
 
 namespace ink::bench {
 namespace {
@@ -27,7 +22,6 @@ constexpr int kBand_px = 6;
 /// A drawing by an unsteady hand, and what it should have been.
 struct Drawing {
     core::Image<std::uint8_t> truth{kWidth_px, kHeight_px};
-    std::vector<truth::Curve> curves;  ///< the same lines, sub-pixel
     edge::EdgeImage edge_response{kWidth_px, kHeight_px};
     int truth_px = 0;
 };
@@ -48,20 +42,10 @@ void add_circle(Drawing& drawing, std::mt19937& random) {
     const double y = below(kHeight_px);
     const int steps = static_cast<int>(radius * 8);
     const int line_class = 1 + below(3);
-    const auto at = [&](int step) {
+    for (int step = 0; step < steps; ++step) {
         const double turn = 2 * std::numbers::pi * step / steps;
-        return truth::CurvePoint{x + radius * std::cos(turn), y + radius * std::sin(turn), 1};
-    };
-    for (int step = 0; step < steps; ++step) {
-        truth::Curve piece;
-        piece.line_class = static_cast<truth::LineClass>(line_class);
-        piece.begin = at(step);
-        piece.end = at(step + 1);
-        drawing.curves.push_back(piece);
-    }
-    for (int step = 0; step < steps; ++step) {
-        const double u = at(step).x_px;
-        const double v = at(step).y_px;
+        const double u = x + radius * std::cos(turn);
+        const double v = y + radius * std::sin(turn);
         set(drawing.truth, u, v, line_class);
         if (below(100) < 3) step += below(20);
         const double shake = below(300) / 100.0 - 1.5;
@@ -170,47 +154,6 @@ void time_matching(benchmark::State& state) {
     state.SetLabel(core::Hasher().value(counts.k).hex());
 }
 
-/// A thresholded image against cracks that are ready.
-void time_cracks(benchmark::State& state) {
-    const Stage stage;
-    const auto cracks =
-        score::prepare_cracks(truth::draw_cracks(stage.drawing.curves, kWidth_px, kHeight_px),
-                              stage.truth,
-                              stage.options);
-    score::CrackScore result;
-    for (auto _ : state)
-        result = score::score_cracks(stage.strokes.drawn, cracks);
-    state.SetLabel(core::Hasher()
-                       .value(result.n_drawn)
-                       .value(result.n_beside)
-                       .value(result.all.n_found)
-                       .value(result.all.n_truth)
-                       .hex());
-}
-
-/// Offsets, widths and far positives of an image that is thinned already.
-void time_place(benchmark::State& state) {
-    const Stage stage;
-    const auto nearest = score::find_nearest_curves(stage.drawing.curves, kWidth_px, kHeight_px);
-    const auto probes = score::place_probes(stage.drawing.curves, stage.truth, stage.options);
-    const auto positives = score::prepare_positives(stage.truth, stage.options);
-    score::Offsets offsets;
-    score::Widths widths;
-    score::PositiveCount counts;
-    for (auto _ : state) {
-        offsets = score::measure_offsets(stage.drawn, nearest);
-        widths = score::measure_widths(stage.strokes.drawn, probes);
-        counts = score::count_positives(stage.strokes.drawn, positives);
-    }
-    state.SetLabel(core::Hasher()
-                       .value(offsets.all.n)
-                       .value(offsets.all.sum)
-                       .value(widths.all.n)
-                       .value(widths.all.sum)
-                       .value(counts.n_false)
-                       .hex());
-}
-
 }  // namespace
 
 void add_score_benchmarks() {
@@ -219,8 +162,6 @@ void add_score_benchmarks() {
     add("score/36k/band", time_band);
     add("score/36k/lists", time_lists);
     add("score/36k/matching", time_matching);
-    add("score/36k/cracks", time_cracks);
-    add("score/36k/place", time_place);
 }
 
 }  // namespace ink::bench

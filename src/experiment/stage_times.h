@@ -13,7 +13,7 @@ enum class WorkStage {
     prepare,       ///< methods are made ready for a scene
     draw,          ///< drawing, timed or not
     truth,         ///< tracing it and holding it against the cross-check, or reading both
-    score,         ///< counts at every tolerance and threshold, offsets, widths, bins
+    score,         ///< counts at every tolerance and threshold, bins
     causes,        ///< why wrong pixels are wrong
     cancellation,  ///< what declared codes must miss
     images,        ///< PNG files

@@ -6,7 +6,6 @@
 #include "harness/cells/view_cells.h"
 #include "harness/rows/cost_tables.h"
 #include "harness/rows/score_tables.h"
-#include "harness/scores/line_scores.h"
 #include "methods/method_configs.h"
 #include "tests/harness/random_rows.h"
 
@@ -38,7 +37,7 @@ TEST(RealRows, GoThroughTheirFilesUnchanged) {
             ASSERT_EQ(evaluation.row.status, "ok");
             rows += harness::row_line(++cell, harness::Study::compare, evaluation.row);
             tolerances += harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
-            bins += harness::bin_lines(cell, evaluation.row.lines->bins);
+            bins += harness::bin_lines(cell, evaluation.row.bins);
             costs += harness::cost_line(cell, evaluation.row);
         }
     }
@@ -52,7 +51,7 @@ TEST(RealRows, GoThroughTheirFilesUnchanged) {
     for (const harness::RowRecord& record : read) {
         rows_again += harness::row_line(record.cell, record.study, record.row);
         tolerances_again += harness::tolerance_lines(record.cell, record.row.tolerance_sweep);
-        bins_again += harness::bin_lines(record.cell, record.row.lines->bins);
+        bins_again += harness::bin_lines(record.cell, record.row.bins);
         costs_again += harness::cost_line(record.cell, record.row);
     }
     EXPECT_EQ(rows_again, rows);

@@ -23,7 +23,7 @@ TEST(Crowded, AViewBeyondTheLimitSaysSoAndCountsAllBeside) {
         }
         // Nothing that a reader could take into a mean.
         EXPECT_FALSE(row.f_2px || row.f_1px || row.recall_2px || row.all_intersections_2px);
-        EXPECT_FALSE(row.random_baseline || row.lines);
+        EXPECT_FALSE(row.random_baseline || !row.bins.empty());
         EXPECT_EQ(row.n_truth, 0);
     }
 }

@@ -44,7 +44,7 @@ void expect_empty(const std::vector<Row>& rows, const std::string& why) {
         EXPECT_FALSE(row.is_scored());
         EXPECT_FALSE(row.f_2px || row.f_1px || row.precision_2px || row.recall_2px || row.ap);
         EXPECT_FALSE(row.above_crease_2px || row.all_intersections_2px || row.with_crowded_2px);
-        EXPECT_FALSE(row.random_baseline || row.k_1px || row.lines);
+        EXPECT_FALSE(row.random_baseline || row.k_1px || !row.bins.empty());
         EXPECT_EQ(row.n_pred + row.n_truth + row.false_positives, 0);
     }
 }

@@ -158,16 +158,6 @@ inline Row random_row(RandomValues& any) {
                      static_cast<std::uint64_t>(any.count())};
         row.skips_off = any.text();
     }
-    if (any.coin()) {
-        LineScores& lines = row.lines.emplace();
-        lines.positives = {any.count(), any.count()};
-        lines.cracks.n_drawn = any.count();
-        lines.cracks.n_beside = any.count();
-        lines.cracks.all = {any.count(), any.count()};
-        lines.offsets.all = {any.small(), any.real(), std::abs(any.real())};
-        lines.widths.all = {any.small(), any.real(), std::abs(any.real())};
-        if (any.coin()) lines.offsets.shift = {any.real(), any.real()};
-    }
     return row;
 }
 

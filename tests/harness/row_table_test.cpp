@@ -34,7 +34,7 @@ TEST(RowTable, HoldsWhatScriptsRelyOnOnceEachAndSaysWhatItMeans) {
     std::istringstream names_of_columns(
         "method scene view split width height threads seed params status f_2px f_1px precision_2px "
         "recall_2px recall_contour recall_crease recall_seam mean_width_px ap prepare_ns draw_ns "
-        "bytes_per_px image_hash truth_px k_crease offset_sum_px width_sum_sq_px2 "
+        "bytes_per_px image_hash truth_px k_crease "
         "skip_occlusion_culling skip_occlusion_culling_of commit dirty compiler flags cpu simd");
     for (std::string name; names_of_columns >> name;) {
         EXPECT_TRUE(names.contains(name)) << name;
@@ -52,27 +52,14 @@ TEST(RowTable, ReadsAndWritesTheSameBytes) {
     }
 }
 
-TEST(RowTable, GivesBackSumsToTheLastBit) {
-    RandomValues any(2);
-    for (const RowRecord& written : random_rows(any, 100)) {
-        const Row row = read_rows(file_of(rows_table(), lines_of({written}))).at(0).row;
-        ASSERT_EQ(row.lines.has_value(), written.row.lines.has_value());
-        if (!row.lines) continue;
-        EXPECT_EQ(row.lines->offsets.all.sum, written.row.lines->offsets.all.sum);
-        EXPECT_EQ(row.lines->widths.all.sum_of_squares,
-                  written.row.lines->widths.all.sum_of_squares);
-        EXPECT_EQ(row.lines->offsets.all.n, written.row.lines->offsets.all.n);
-    }
-}
-
 TEST(RowTable, LeavesEmptyWhatWasNotMeasured) {
     Row row;
     row.method = "mote4";
     row.status = "failed: out of ink";
     row.k_2px = 7;
     std::istringstream names_of_columns(
-        "f_2px k_2px n_pred truth_px draw_ns draw_n ap crack_f offset_px offset_sum_px shift_x_px "
-        "far_positive_px skip_occlusion_culling false_positives_crack k_random_2px recall_crease");
+        "f_2px k_2px n_pred truth_px draw_ns draw_n ap "
+        "skip_occlusion_culling false_positives_crack k_random_2px recall_crease");
     for (std::string name; names_of_columns >> name;) {
         EXPECT_EQ(field(row, name), "") << name;
     }
@@ -81,28 +68,6 @@ TEST(RowTable, LeavesEmptyWhatWasNotMeasured) {
     row.f_2px = 0.1;
     EXPECT_EQ(field(row, "k_2px"), "7");
     EXPECT_EQ(field(row, "f_2px"), "0.1");
-}
-
-TEST(RowTable, DerivesMeansFromSums) {
-    Row row;
-    row.lines = LineScores{};
-    row.lines->cracks.n_drawn = 8;
-    row.lines->cracks.n_beside = 4;
-    row.lines->cracks.all = {4, 4};
-    row.lines->positives = {8, 3};
-    row.lines->offsets.all.add(0.25);
-    row.lines->offsets.all.add(0.75);
-    EXPECT_EQ(field(row, "crack_precision"), "0.5");
-    EXPECT_EQ(field(row, "crack_recall"), "1");
-    EXPECT_EQ(field(row, "offset_px"), "0.5");
-    EXPECT_EQ(field(row, "offset_spread_px"), "0.25");
-    EXPECT_EQ(field(row, "offset_n"), "2");
-    EXPECT_EQ(field(row, "offset_sum_px"), "1");
-    EXPECT_EQ(field(row, "offset_sum_sq_px2"), "0.625");
-    EXPECT_EQ(field(row, "shift_x_px"), "");
-    EXPECT_EQ(field(row, "width_along_px"), "");
-    EXPECT_EQ(field(row, "far_positive_px"), "3");
-    EXPECT_EQ(field(row, "positive_px"), "8");
 }
 
 TEST(RowTable, WithoutTimesDiffersInColumnsOfTimesAlone) {

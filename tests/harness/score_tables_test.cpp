@@ -17,7 +17,7 @@ std::vector<RowRecord> three_rows() {
         rows[i].cell = static_cast<std::int64_t>(10 * i + 7);
         rows[i].row.method = std::string("m").append(std::to_string(i));
         rows[i].row.split = i == 1 ? "train" : "heldout";
-        if (i < 2) rows[i].row.lines.emplace();
+        if (i < 2) rows[i].row.f_2px = 1;
     }
     return rows;
 }
@@ -98,7 +98,7 @@ TEST(TolerancesTable, RefusesOtherTolerancesThanThoseOfEveryCell) {
     EXPECT_THAT(error("9,1,0,0,0\n"), testing::HasSubstr("column cell holds '9'"));
 }
 
-TEST(BinsTable, GoesBackIntoTheLineScoresAsItWas) {
+TEST(BinsTable, GoesBackIntoRowsAsItWas) {
     std::vector<RowRecord> rows = three_rows();
     const double infinity = std::numeric_limits<double>::infinity();
     const std::vector<BinCount> bins = {
@@ -108,12 +108,12 @@ TEST(BinsTable, GoesBackIntoTheLineScoresAsItWas) {
               "17,dihedral_deg,20,40,1,2\n17,relative_gap,inf,inf,3,4\n"
               "17,relative_distance,0.2,0.4,0,1\n");
     join_bins(file_of(bins_table(), lines), rows);
-    EXPECT_TRUE(rows[0].row.lines->bins.empty());
-    EXPECT_EQ(bin_lines(17, rows[1].row.lines->bins), lines);
+    EXPECT_TRUE(rows[0].row.bins.empty());
+    EXPECT_EQ(bin_lines(17, rows[1].row.bins), lines);
     EXPECT_EQ(bin_lines(17, {}), "");
 }
 
-TEST(BinsTable, RefusesUnknownAttributesAndRowsWithoutLineScores) {
+TEST(BinsTable, RefusesUnknownAttributesAndRowsWithoutAScore) {
     const auto error = [](const std::string& lines) {
         return core::error_text([&] {
             std::vector<RowRecord> rows = three_rows();
@@ -123,7 +123,7 @@ TEST(BinsTable, RefusesUnknownAttributesAndRowsWithoutLineScores) {
     EXPECT_EQ(error("7,shine,0,1,0,1\n"),
               "bins.csv, line 2: column attribute holds 'shine' (accepted: dihedral_deg, "
               "relative_gap, view_angle_deg, relative_distance)");
-    EXPECT_THAT(error("27,relative_gap,0,1,0,1\n"), testing::HasSubstr("has line scores"));
+    EXPECT_THAT(error("27,relative_gap,0,1,0,1\n"), testing::HasSubstr("has a score"));
 }
 
 }  // namespace

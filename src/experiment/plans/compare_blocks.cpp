@@ -17,11 +17,11 @@ namespace {
 void add_side_tables(std::int64_t cell,
                      const harness::Evaluation& evaluation,
                      BlockResult& result) {
-    if (!evaluation.row.is_ok() || !evaluation.row.lines) return;
+    if (!evaluation.row.is_ok() || evaluation.row.tolerance_sweep.empty()) return;
     result.lines["curves.csv"] += harness::curve_lines(cell, evaluation.scored.curve);
     result.lines["tolerances.csv"] +=
         harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
-    result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
+    result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.bins);
 }
 
 /// The layers of what was drawn, where they are kept.

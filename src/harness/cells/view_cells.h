@@ -19,7 +19,7 @@ namespace ink::harness {
 /// What is scored of a drawn cell.
 enum class Scores {
     full,      ///< everything, with baselines
-    brief,     ///< at 2 px and its threshold only: no curve, tolerance sweep, 1 px, causes or lines
+    brief,     ///< at 2 px and its threshold only: no curve, tolerance sweep, 1 px, causes or bins
     settings,  ///< the same without baselines
     none,      ///< nothing: rows have their place and the hash of their image
 };

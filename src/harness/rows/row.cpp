@@ -17,7 +17,7 @@ auto scores_of(AnyRow& row) {
                     row.above_crease_2px,
                     row.all_intersections_2px,
                     row.random_baseline,
-                    row.lines,
+                    row.bins,
                     row.soft,
                     row.recall_by_class,
                     row.truth_px_by_class,

@@ -12,7 +12,7 @@
 
 #include "core/provenance.h"
 #include "harness/cells/frame_counts.h"
-#include "harness/scores/line_scores.h"
+#include "harness/scores/bins.h"
 #include "raster/skips.h"
 #include "scene/crease.h"
 #include "scene/precision/weld_tolerance.h"
@@ -109,8 +109,8 @@ struct Row {
     double crowded_share = 0;
     double rounding_px = 0;  ///< that coordinates' rounding may move a vertex in the frame by
     std::int64_t triangles = 0;
-    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and far positives
-    double crease_deg = 40;                          ///< of the truth
+    std::vector<BinCount> bins = {};                           ///< at 2 px: lines of bins.csv
+    double crease_deg = 40;                                    ///< of the truth
     scene::CreaseSource creases = scene::CreaseSource::angle;  ///< of the truth
     double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,

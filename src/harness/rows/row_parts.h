@@ -12,9 +12,6 @@ namespace ink::harness {
 /// The table of rows while it is put together.
 using RowTable = core::TableOf<RowRecord>;
 
-/// Adds cracks, place and width of lines, with the counts and sums that they are made from.
-void add_line_columns(RowTable& table);
-
 /// Adds soft F and the ink that it is made of.
 void add_ink_columns(const core::PartOf<score::SoftScore>& soft);
 

@@ -251,7 +251,6 @@ RowTable make_rows_table() {
     add_counts(table);
     add_times(table);
     add_truth(table);
-    add_line_columns(table);
     add_ink_columns(table.part(&RowRecord::row).part(&Row::soft));
     add_skip_columns(table);
     add_provenance_columns(table);

@@ -129,8 +129,8 @@ void join_bins(const core::CsvTable& csv, std::vector<RowRecord>& rows) {
     const auto read = bins_table().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
         Row& row = cells.find(core::CsvField(csv, i, 0)).row;
-        if (!row.lines) core::CsvField(csv, i, 0).refuse("a cell whose row has line scores");
-        row.lines->bins.push_back(read[i]);
+        if (!row.is_scored()) core::CsvField(csv, i, 0).refuse("a cell whose row has a score");
+        row.bins.push_back(read[i]);
     }
 }
 

@@ -55,8 +55,8 @@ void join_tolerances(const core::CsvTable& csv, std::vector<RowRecord>& rows);
 /// "inf".
 [[nodiscard]] std::string bin_lines(std::int64_t cell, const std::vector<BinCount>& bins);
 
-/// Puts the counts of bins.csv into the line scores of their rows, behind what is there. Throws
-/// core::Error as read_curves does; the row of a cell must have line scores.
+/// Puts the counts of bins.csv into their rows, behind what is there. Throws core::Error as
+/// read_curves does; the row of a cell must have a score.
 void join_bins(const core::CsvTable& csv, std::vector<RowRecord>& rows);
 
 }  // namespace ink::harness

@@ -8,8 +8,8 @@
 
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "harness/scores/bins.h"
 #include "harness/scores/intersection_scores.h"
-#include "harness/scores/line_scores.h"
 #include "harness/truths/unscored_view.h"
 #include "score/random_baseline.h"
 #include "truth/curve_facts.h"
@@ -115,7 +115,7 @@ void fill_truth_facts(const ViewTruth& truth, Row& row) {
 }
 
 void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {
-    const LineTruth lines = prepare_lines(truth);
+    const std::vector<TruthBin> bins = bin_truth(truth.traced, truth.scoring);
     const ViewLists lists = list_view(truth);
     const std::vector<score::TruthLists> tolerances = list_tolerances(truth.scoring);
     const score::RandomBaseline random_baseline(
@@ -127,7 +127,9 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
         fill_intersections(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
         fill_crowded(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
         evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
-        evaluation.row.lines = score_lines(scored.strokes, scored.drawn, lines);
+        score::DrawnMatcher matcher(
+            scored.drawn, lists.scoring.disk, lists.scoring.countable.width_px());
+        evaluation.row.bins = match_bins(matcher, bins);
         scored.strokes = {};
         scored.drawn = {};
     });

@@ -23,18 +23,6 @@ function shareOf(part, whole) {
     return whole > 0 ? part / whole : null;
 }
 
-/// Mean, spread (standard deviation) and root mean square of `n` values with these sums; null
-/// without values.
-function momentsOf(n, sum, sumOfSquares) {
-    if (!(n > 0)) return null;
-    const mean = sum / n;
-    return {
-        mean,
-        spread: Math.sqrt(Math.max(0, sumOfSquares / n - mean * mean)),
-        rms: Math.sqrt(sumOfSquares / n),
-    };
-}
-
 /// The median of values; null without any.
 function medianOf(values) {
     return quantile(ascending(values), 0.5);
