@@ -64,11 +64,11 @@ std::optional<double> f_1px(const Rows& rows) {
 std::map<std::string, double> pooled_recalls(const Rows& rows) {
     std::map<std::string, Counts> sums;
     for (const harness::Row* row : rows)
-        for (const auto& [name, counts] : class_counts(*row))
+        for (const auto& [name, counts] : row->by_class)
             sums[name] += counts;
     std::map<std::string, double> recalls;
     for (const auto& [name, sum] : sums)
-        recalls[name] = *share(sum.k, sum.n_truth);
+        recalls[name] = sum.f();
     return recalls;
 }
 
@@ -189,16 +189,6 @@ std::string_view name(Measure measure) {
 Counts counts_of(const harness::Row& row, Measure measure) {
     return measure == Measure::soft_f ? row.soft->counts()
                                       : Counts{row.k_2px, row.n_pred, row.n_truth};
-}
-
-std::map<std::string, Counts> class_counts(const harness::Row& row) {
-    std::map<std::string, Counts> counts;
-    for (const auto& [name, k] : row.k_by_class) {
-        const auto n = row.truth_px_by_class.find(name);
-        if (n != row.truth_px_by_class.end() && n->second > 0)
-            counts[name] = {k, n->second, n->second};
-    }
-    return counts;
 }
 
 void SceneSums::add(const std::string& scene, const Counts& more) {

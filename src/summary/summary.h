@@ -92,10 +92,6 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 /// What F of a row is made of; of ink the row must have it.
 [[nodiscard]] score::CurveCount counts_of(const harness::Row& row, Measure measure);
 
-/// What a row found of each class of line that its view has. As many count as drawn as are true, so
-/// that F of these counts, 2 k / (n + n), is the recall.
-[[nodiscard]] std::map<std::string, score::CurveCount> class_counts(const harness::Row& row);
-
 /// Counts summed over the views of each scene, in order of first appearance.
 struct SceneSums {
     std::vector<std::string> names;

@@ -24,7 +24,7 @@ std::map<std::string, statistics::Interval> class_recall_intervals(
     const std::vector<const harness::Row*>& rows) {
     std::map<std::string, SceneSums> classes;
     for (const harness::Row* row : rows)
-        for (const auto& [name, found] : class_counts(*row))
+        for (const auto& [name, found] : row->by_class)
             classes[name].add(row->scene, found);
     std::map<std::string, statistics::Interval> intervals;
     for (const auto& [name, scenes] : classes) {

@@ -61,17 +61,5 @@ TEST(RealRows, GoThroughTheirFilesUnchanged) {
     EXPECT_GT(costs.size(), 0U);
 }
 
-TEST(RealRows, HoldTheMatchesThatRecallOfAClassIsMadeFrom) {
-    for (const harness::Evaluation& evaluation : scored_evaluations("cube")) {
-        ASSERT_FALSE(evaluation.row.recall_by_class.empty());
-        for (const auto& [name, recall] : evaluation.row.recall_by_class) {
-            EXPECT_EQ(recall,
-                      static_cast<double>(evaluation.row.k_by_class.at(name)) /
-                          static_cast<double>(evaluation.row.truth_px_by_class.at(name)))
-                << evaluation.row.method << " " << name;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace ink::experiment

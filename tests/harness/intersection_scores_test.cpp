@@ -75,9 +75,9 @@ TEST_F(Crossings, AboveTheCreaseAngleAFlatOneMayBeLeftOut) {
     EXPECT_EQ(row.f_2px, 1);
     EXPECT_EQ(row.above_crease_2px->f(), 1);
     EXPECT_LT(row.all_intersections_2px->f(), 1);
-    EXPECT_EQ(row.recall_by_class.at("intersection_above_crease"), 1);
-    EXPECT_LT(row.recall_by_class.at("intersection_below_crease"), 0.1);
-    EXPECT_GT(row.truth_px_by_class.at("intersection_below_crease"), 100);
+    EXPECT_EQ(row.by_class.at("intersection_above_crease").f(), 1);
+    EXPECT_LT(row.by_class.at("intersection_below_crease").f(), 0.1);
+    EXPECT_GT(row.by_class.at("intersection_below_crease").n_truth, 100);
 }
 
 TEST_F(Crossings, AFlatOneThatIsDrawnIsNoFalsePositive) {
@@ -86,7 +86,7 @@ TEST_F(Crossings, AFlatOneThatIsDrawnIsNoFalsePositive) {
     EXPECT_EQ(row.false_positives, 0);
     EXPECT_GT(*row.f_2px, 0.99) << "pixels beside other lines count as duplicates there";
     EXPECT_EQ(row.all_intersections_2px->f(), 1);
-    EXPECT_EQ(row.recall_by_class.at("intersection_below_crease"), 1);
+    EXPECT_EQ(row.by_class.at("intersection_below_crease").f(), 1);
 }
 
 TEST_F(Crossings, EitherChoiceTellsBoth) {
@@ -99,9 +99,7 @@ TEST_F(Crossings, EitherChoiceTellsBoth) {
         EXPECT_EQ(of_all.f_2px, of_all.all_intersections_2px->f());
         EXPECT_EQ(of_above.above_crease_2px, of_all.above_crease_2px);
         EXPECT_EQ(of_above.all_intersections_2px, of_all.all_intersections_2px);
-        EXPECT_EQ(of_above.recall_by_class, of_all.recall_by_class);
-        EXPECT_EQ(of_above.k_by_class, of_all.k_by_class);
-        EXPECT_EQ(of_above.truth_px_by_class, of_all.truth_px_by_class);
+        EXPECT_EQ(of_above.by_class, of_all.by_class);
     }
 }
 

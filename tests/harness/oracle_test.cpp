@@ -64,8 +64,8 @@ TEST_P(Oracle, HasARecallOfOneInEveryClass) {
         baselines_of(of.scene, of.size_px, true, of.intersections);
     const Row& oracle = evaluations.back().row;
     ASSERT_EQ(oracle.method, "oracle");
-    for (const auto& [name, recall] : oracle.recall_by_class)
-        EXPECT_EQ(recall, 1) << name;
+    for (const auto& [name, found] : oracle.by_class)
+        EXPECT_EQ(found.f(), 1) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(

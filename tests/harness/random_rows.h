@@ -76,9 +76,8 @@ inline void fill_random_scores(RandomValues& any, Row& row) {
     for (const core::Term& group : core::vocabulary().recall_groups) {
         if (any.coin()) continue;
         const std::string key(group.name);
-        row.recall_by_class[key] = any.share();
-        row.k_by_class[key] = any.count();
-        row.truth_px_by_class[key] = any.count();
+        const std::int64_t n = 1 + any.count() / 4;
+        row.by_class[key] = {any.count(), n, n};
     }
 }
 

@@ -99,10 +99,9 @@ inline harness::Row made_up_row(const std::string& method, double f, double draw
     row.truth_px = 1000;
     row.ap = f * 0.95;
     row.mean_width_px = 1.7;
-    row.truth_px_by_class = {{"contour", 600}, {"crease", 300}, {"seam", 100}};
-    row.k_by_class = {{"contour", std::llround(std::min(600.0, f * 630))},
-                      {"crease", std::llround(f * 270)},
-                      {"seam", std::llround(f * 50)}};
+    row.by_class = {{"contour", {std::llround(std::min(600.0, f * 630)), 600, 600}},
+                    {"crease", {std::llround(f * 270), 300, 300}},
+                    {"seam", {std::llround(f * 50), 100, 100}}};
     row.params = "clip_bits=2;threshold=24";
     row.threshold = 24;
     if (draw_ms > 0) {

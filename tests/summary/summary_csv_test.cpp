@@ -45,8 +45,7 @@ harness::Row scored_row(const std::string& method, const std::string& scene, std
     row.k_2px = k;
     row.n_pred = row.n_truth = 100;
     row.f_2px = static_cast<double>(k) / 100;
-    row.k_by_class = {{"crease", k}};
-    row.truth_px_by_class = {{"crease", 100}};
+    row.by_class = {{"crease", {k, 100, 100}}};
     row.draw_ns = 2'000'000;
     row.bytes_per_px = 5;
     return row;
@@ -143,8 +142,7 @@ TEST(SummaryCsv, AClassOfFewScenesHasNoInterval) {
     for (int i = 0; i < 6; ++i)
         rows.push_back(scored_row("a", std::to_string(i), 20 + 10 * i));
     EXPECT_NE(line_of(csv_of(rows), 1).at("recall_crease_lo"), "");
-    rows.back().k_by_class.clear();
-    rows.back().truth_px_by_class.clear();
+    rows.back().by_class.clear();
     const auto line = line_of(csv_of(rows), 1);
     EXPECT_EQ(line.at("recall_crease"), "0.4");
     EXPECT_EQ(line.at("recall_crease_lo"), "");

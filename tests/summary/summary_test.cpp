@@ -32,16 +32,14 @@ std::vector<harness::Row> two_views() {
     harness::Row small = counted_row("a", "front", 50, 100);
     small.k_1px = 40;
     small.n_pred_1px = 100;
-    small.k_by_class = {{"crease", 50}};
-    small.truth_px_by_class = {{"crease", 100}};
+    small.by_class = {{"crease", {50, 100, 100}}};
     small.draw_ns = 2'000'000;
     small.bytes_per_px = 5;
     harness::Row large = counted_row("a", "back", 300, 300);
     large.split = "heldout";
     large.k_1px = 200;
     large.n_pred_1px = 300;
-    large.k_by_class = {{"crease", 300}, {"seam", 1}};
-    large.truth_px_by_class = {{"crease", 300}, {"seam", 4}};
+    large.by_class = {{"crease", {300, 300, 300}}, {"seam", {1, 4, 4}}};
     large.draw_ns = 4'000'000;
     large.bytes_per_px = 5;
     return {small, large};

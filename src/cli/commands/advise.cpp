@@ -134,12 +134,10 @@ std::string missing_text(const Advice& advice) {
         double missing_px = 0;
         double all_px = 0;
         for (const harness::Row& row : advice.rows) {
-            const auto recall = row.recall_by_class.find(name);
-            if (row.method != advice.answer.method->method || recall == row.recall_by_class.end())
-                continue;
-            const auto px = static_cast<double>(row.truth_px_by_class.at(name));
-            all_px += px;
-            missing_px += px * (1 - recall->second);
+            const auto found = row.by_class.find(name);
+            if (row.method != advice.answer.method->method || found == row.by_class.end()) continue;
+            all_px += static_cast<double>(found->second.n_truth);
+            missing_px += static_cast<double>(found->second.n_truth - found->second.k);
         }
         if (missing_px <= most_px || missing_px < 0.0005 * all_px) continue;
         most_px = missing_px;

@@ -74,12 +74,8 @@ void fill_score_2px(const score::Score& s, Row& row) {
     row.precision_2px = s.precision();
     row.recall_2px = s.recall();
     for (const score::ClassCount& c : s.classes) {
-        const auto line_class = static_cast<truth::LineClass>(c.label);
-        if (c.n_truth == 0) continue;
-        const std::string name(truth::name(line_class));
-        row.recall_by_class[name] = static_cast<double>(c.k) / static_cast<double>(c.n_truth);
-        row.truth_px_by_class[name] = c.n_truth;
-        row.k_by_class[name] = c.k;
+        const std::string_view name = truth::name(static_cast<truth::LineClass>(c.label));
+        if (c.n_truth > 0) row.by_class[std::string(name)] = {c.k, c.n_truth, c.n_truth};
     }
     if (s.mean_width_px > 0) row.mean_width_px = s.mean_width_px;
     row.k_2px = s.k;

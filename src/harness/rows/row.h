@@ -62,10 +62,9 @@ struct Row {
     /// At 2 px, if crowded pixels count too (harness/truths/unscored_view.h): also where the view
     /// is `crowded`.
     std::optional<score::CurveCount> with_crowded_2px = {};
-    /// Of the recall groups (core/vocabulary.h) -> recall, groups present only.
-    std::map<std::string, double> recall_by_class;
-    std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
-    std::map<std::string, std::int64_t> k_by_class = {};         ///< and what it is made from
+    /// What was found of each recall group (core/vocabulary.h), groups present only. As many count
+    /// as drawn as are true, so that F of these counts, 2 k / (n + n), is the recall.
+    std::map<std::string, score::CurveCount> by_class = {};
     std::optional<score::SoftScore> soft = {};  ///< of grey lines; nothing unless asked for
     std::optional<double> mean_width_px;
     std::optional<double> ap;

@@ -1,5 +1,7 @@
 #include "harness/rows/row_table.h"
 
+#include <functional>
+
 #include "core/vocabulary.h"
 #include "harness/rows/row_parts.h"
 #include "score/intersections.h"
@@ -14,27 +16,21 @@ std::string group_doc(const core::Term& group, std::string doc) {
     return doc.replace(doc.find(kClass), kClass.size(), group.text);
 }
 
-/// A column per recall group, empty where the view has none of it; `with_parts` also for those that
-/// are a part of a class.
-template <class T>
+/// Adds a column per recall group, empty where the view has none of it. `add(found, column)` adds
+/// what is written of a group; `with_parts` also for those that are a part of a class.
+template <class T, class Add>
 void add_by_class(RowTable& table,
-                  const std::string& prefix,
-                  const std::string& unit,
-                  const std::string& doc,
                   std::map<std::string, T> Row::*field,
+                  const core::Column& column,
+                  Add add,
                   bool with_parts = true) {
     for (const core::Term& group : core::vocabulary().recall_groups) {
         if (!with_parts && !group.text.empty()) continue;
         const std::string key(group.name);
-        table.add(
-            {prefix + key, unit, group_doc(group, doc)},
-            [=](const RowRecord& r) {
-                const auto found = (r.row.*field).find(key);
-                return found == (r.row.*field).end() ? "" : core::csv_text(found->second);
-            },
-            [=](const core::CsvField& text, RowRecord& r) {
-                if (!text.is_empty()) text.read((r.row.*field)[key]);
-            });
+        const auto found = table.part(&RowRecord::row)
+                               .part_if([=](const Row& row) { return (row.*field).contains(key); })
+                               .part([=](Row & row) -> auto& { return (row.*field)[key]; });
+        add(found, core::Column{column.name + key, column.unit, group_doc(group, column.doc)});
     }
 }
 
@@ -91,10 +87,11 @@ void add_scores(RowTable& table) {
     row.add({"precision_2px", "0..1", "matched share of the drawn pixels"}, &Row::precision_2px);
     row.add({"recall_2px", "0..1", "matched share of the true pixels"}, &Row::recall_2px);
     add_by_class(table,
-                 "recall_",
-                 "0..1",
-                 "recall of this class, by a matching of its own",
-                 &Row::recall_by_class);
+                 &Row::by_class,
+                 {"recall_", "0..1", "recall of this class, by a matching of its own"},
+                 [](const auto& found, auto column) {
+                     found.add_derived(std::move(column), &score::CurveCount::f);
+                 });
     row.add({"mean_width_px", "px", "drawn pixels per thinned pixel"}, &Row::mean_width_px);
     row.add({"ap", "0..1", "area under the precision envelope over 99 thresholds"}, &Row::ap);
     row.add({"prepare_ns", "ns", "once per topology", true}, &Row::prepare_ns);
@@ -140,11 +137,13 @@ void add_counts(RowTable& table) {
         table, "all_intersections", "if all intersections count", &Row::all_intersections_2px);
     add_choice(table, "with_crowded", "if crowded pixels count too", &Row::with_crowded_2px);
     add_by_class(table,
-                 "k_",
-                 "px",
-                 "matches of this class within 2 px, of its own matching",
-                 &Row::k_by_class);
-    add_by_class(table, "truth_px_", "px", "true pixels of this class", &Row::truth_px_by_class);
+                 &Row::by_class,
+                 {"k_", "px", "matches of this class within 2 px, of its own matching"},
+                 [](const auto& found, auto column) { found.add(std::move(column), &C::k); });
+    add_by_class(table,
+                 &Row::by_class,
+                 {"truth_px_", "px", "true pixels of this class"},
+                 [](const auto& found, auto column) { found.add(std::move(column), &C::n_truth); });
 }
 
 void add_times(RowTable& table) {
@@ -206,13 +205,15 @@ void add_truth(RowTable& table) {
                  "share of that length on which the cross-check abstains: it differs from the "
                  "truth, and the third construction sides with the truth"},
                 &Row::crosscheck_abstained);
-    add_by_class(table,
-                 "crosscheck_coincident_",
-                 "px",
-                 "of what it abstains on, lines of this class that lie on another line, which both "
-                 "have",
-                 &Row::coincident_px_by_class,
-                 false);
+    add_by_class(
+        table,
+        &Row::coincident_px_by_class,
+        {"crosscheck_coincident_",
+         "px",
+         "of what it abstains on, lines of this class that lie on another line, which "
+         "both have"},
+        [](const auto& found, auto column) { found.add(std::move(column), std::identity()); },
+        false);
     add_cause_columns(table);
     row.part_if([](const Row& r) { return r.triangles != 0; })
         .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);
@@ -275,6 +276,8 @@ std::vector<RowRecord> read_rows(const core::CsvTable& csv) {
     for (std::size_t i = 0; i < records.size(); ++i) {
         Row& row = records[i].row;
         if (row.random_baseline) row.random_baseline->n_truth = row.n_truth;
+        for (auto& [name, found] : row.by_class)
+            found.n_pred = found.n_truth;
         row.cell = records[i].cell;
         row.provenance = read_provenance(csv, i, known);
         if (!cells.emplace(records[i].cell, i).second)

@@ -32,15 +32,9 @@ struct Counted {
     /// Recall of some of the true pixels; none leaves the row without the group.
     void fill(std::string_view group, const PixelList& true_pixels, Row& row) {
         const std::string name(group);
-        row.k_by_class.erase(name);
-        row.truth_px_by_class.erase(name);
-        row.recall_by_class.erase(name);
-        if (true_pixels.is_empty()) return;
-        const std::int64_t k = matcher.match(true_pixels);
+        row.by_class.erase(name);
         const auto n = static_cast<std::int64_t>(true_pixels.size());
-        row.k_by_class[name] = k;
-        row.truth_px_by_class[name] = n;
-        row.recall_by_class[name] = static_cast<double>(k) / static_cast<double>(n);
+        if (n > 0) row.by_class[name] = {matcher.match(true_pixels), n, n};
     }
     /// The same of all intersections.
     void fill_intersections(std::string_view group, Row& row) {
@@ -53,12 +47,8 @@ struct Counted {
 
 /// Without flat intersections all are above the crease angle.
 void copy_intersections(Row& row) {
-    const std::string from(truth::name(truth::LineClass::intersection));
-    const std::string to(kAboveCrease);
-    if (row.recall_by_class.count(from) == 0) return;
-    row.recall_by_class[to] = row.recall_by_class.at(from);
-    row.k_by_class[to] = row.k_by_class.at(from);
-    row.truth_px_by_class[to] = row.truth_px_by_class.at(from);
+    const auto all = row.by_class.find(std::string(truth::name(truth::LineClass::intersection)));
+    if (all != row.by_class.end()) row.by_class[std::string(kAboveCrease)] = all->second;
 }
 
 }  // namespace
