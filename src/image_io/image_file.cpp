@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "core/whole_file.h"
 #include "image_io/open_image_io.h"
 
 namespace ink::image_io {
@@ -94,55 +93,6 @@ GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec
     return gray;
 }
 
-/// A grey or RGB image, as the file library wants it.
-struct Samples {
-    const void* data = nullptr;
-    int width_px = 0;
-    int height_px = 0;
-    int channels = 1;
-    const Texts* texts = nullptr;
-};
-
-Samples samples_of(const core::Image<std::uint8_t>& image) {
-    return {image.data(), image.width_px(), image.height_px(), 1};
-}
-Samples samples_of(const core::Image<Rgb>& image) {
-    static_assert(sizeof(Rgb) == 3);
-    return {image.data(), image.width_px(), image.height_px(), 3};
-}
-
-std::vector<std::uint8_t> encode(const Samples& samples, const std::string& where) {
-    if (samples.width_px == 0 || samples.height_px == 0) {
-        throw core::Error(where, "the image is empty", "at least 1 x 1 px");
-    }
-    std::vector<std::uint8_t> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create("picture.png", &memory);
-    if (!output) throw core::Error(where, "no PNG writer: " + one_line(OIIO::geterror()));
-    OIIO::ImageSpec spec(
-        samples.width_px, samples.height_px, samples.channels, OIIO::TypeDesc::UINT8);
-    // A run writes thousands of images: the fastest level. Most rows repeat the one above, so that
-    // differences to it are runs of 0.
-    constexpr int kUpFilter = 0x20;  // PNG_FILTER_UP
-    spec.attribute("png:compressionLevel", 1);
-    spec.attribute("png:filter", kUpFilter);
-    spec.attribute("compression", "rle");
-    if (samples.texts != nullptr) {
-        for (const auto& [name, text] : *samples.texts)
-            spec.attribute(name, text);
-    }
-    if (!output->open("picture.png", spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT8, samples.data) || !output->close()) {
-        throw core::Error(where, "cannot be encoded: " + one_line(output->geterror()));
-    }
-    return bytes;
-}
-
-void write(const Samples& samples, const fs::path& path) {
-    const std::vector<std::uint8_t> bytes = encode(samples, path.string());
-    core::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 }  // namespace
 
 Texts texts_of(const OIIO::ImageSpec& spec) {
@@ -176,32 +126,36 @@ OpenFile open_image(const fs::path& path, const char* accepted) {
     return file;
 }
 
-core::Image<std::uint8_t> read_gray(const fs::path& path) {
-    return read_gray_file(path).pixels;
-}
-
 GrayFile read_gray_file(const fs::path& path) {
     OpenFile file = open_image(path, kAcceptedImage);
     check_is_gray(file.spec, path);
     return to_gray(read_samples<std::uint8_t>(file, 0, file.spec.nchannels), file.spec);
 }
 
-std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {
-    return encode(samples_of(image), "png");
-}
-std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image) {
-    return encode(samples_of(image), "png");
-}
-
-void write_png(const core::Image<std::uint8_t>& image, const fs::path& path, const Texts& texts) {
-    Samples samples = samples_of(image);
-    samples.texts = &texts;
-    write(samples, path);
-}
-void write_png(const core::Image<Rgb>& image, const fs::path& path, const Texts& texts) {
-    Samples samples = samples_of(image);
-    samples.texts = &texts;
-    write(samples, path);
+std::vector<std::uint8_t> encode_png(const PngPixels& image,
+                                     const Texts& texts,
+                                     const std::string& where) {
+    if (image.width_px == 0 || image.height_px == 0) {
+        throw core::Error(where, "the image is empty", "at least 1 x 1 px");
+    }
+    std::vector<std::uint8_t> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create("picture.png", &memory);
+    if (!output) throw core::Error(where, "no PNG writer: " + one_line(OIIO::geterror()));
+    OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::UINT8);
+    // A run writes thousands of images: the fastest level. Most rows repeat the one above, so that
+    // differences to it are runs of 0.
+    constexpr int kUpFilter = 0x20;  // PNG_FILTER_UP
+    spec.attribute("png:compressionLevel", 1);
+    spec.attribute("png:filter", kUpFilter);
+    spec.attribute("compression", "rle");
+    for (const auto& [name, text] : texts)
+        spec.attribute(name, text);
+    if (!output->open("picture.png", spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, image.data) || !output->close()) {
+        throw core::Error(where, "cannot be encoded: " + one_line(output->geterror()));
+    }
+    return bytes;
 }
 
 }  // namespace ink::image_io

@@ -8,20 +8,11 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/whole_file.h"
 
 namespace ink::image_io {
 
 using Rgb = glm::u8vec3;
-
-/// An image file as 8-bit grey, (0,0) top left, values as they are in the file.
-///
-/// Colour becomes luma (ITU-R 601: 0.299 R + 0.587 G + 0.114 B in 16-bit fixed point, rounded),
-/// palette images by their colours; alpha is left out, not multiplied in. Grey of 1, 2 or 4 bits
-/// is spread to 0..255. 16-bit and float files are refused, since their scale is anybody's guess.
-///
-/// Throws core::Error with where = the path: missing, empty, not an image, cut off, not 8-bit, or
-/// larger than 2^27 pixels.
-[[nodiscard]] core::Image<std::uint8_t> read_gray(const std::filesystem::path& path);
 
 /// Texts of an image file by name: what a PNG has in its text chunks.
 using Texts = std::map<std::string, std::string>;
@@ -37,8 +28,20 @@ struct GrayFile {
     Texts texts = {};         ///< of the file, ours ("ink:band_px") and others'
 };
 
-/// As read_gray, for whoever must not take colours for grey.
+/// An image file as 8-bit grey, (0,0) top left, values as they are in the file.
+///
+/// Colour becomes luma (ITU-R 601: 0.299 R + 0.587 G + 0.114 B in 16-bit fixed point, rounded),
+/// palette images by their colours; alpha is left out, not multiplied in. Grey of 1, 2 or 4 bits
+/// is spread to 0..255. 16-bit and float files are refused, since their scale is anybody's guess.
+///
+/// Throws core::Error with where = the path: missing, empty, not an image, cut off, not 8-bit, or
+/// larger than 2^27 pixels.
 [[nodiscard]] GrayFile read_gray_file(const std::filesystem::path& path);
+
+/// Its pixels alone, for whoever takes colours for grey.
+[[nodiscard]] inline core::Image<std::uint8_t> read_gray(const std::filesystem::path& path) {
+    return read_gray_file(path).pixels;
+}
 
 /// How bright a colour is: ITU-R 601 in the 16-bit fixed point that image programs share, so that
 /// all of them see one grey. Of a grey it is that grey.
@@ -47,21 +50,38 @@ struct GrayFile {
                                      16);
 }
 
-/// Writes a PNG beside `path` and renames it, so that a half-written file is never seen. `texts`
-/// become text chunks.
+/// A grey or RGB image as a PNG takes it; borrows the image.
+struct PngPixels {
+    // Any such image is meant where these are asked for.
+    PngPixels(const core::Image<std::uint8_t>& image)
+        : data(image.data()), width_px(image.width_px()), height_px(image.height_px()) {}
+    PngPixels(const core::Image<Rgb>& image)
+        : data(image.data()),
+          width_px(image.width_px()),
+          height_px(image.height_px()),
+          channels(sizeof(Rgb)) {}
+
+    const void* data;
+    int width_px;
+    int height_px;
+    int channels = 1;
+};
+
+/// A PNG as bytes, for pages that carry their images; `texts` become text chunks. Throws
+/// core::Error on an empty image, with `where`.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(const PngPixels& image,
+                                                   const Texts& texts = {},
+                                                   const std::string& where = "png");
+
+/// Writes it beside `path` and renames it, so that a half-written file is never seen.
 ///
 /// Throws core::Error with where = the path if it cannot be written or the image is empty; nothing
 /// is left behind then, and a file that was there before stays.
-void write_png(const core::Image<std::uint8_t>& image,
-               const std::filesystem::path& path,
-               const Texts& texts = {});
-void write_png(const core::Image<Rgb>& image,
-               const std::filesystem::path& path,
-               const Texts& texts = {});
-
-/// The same file as bytes, for pages that carry their images. Throws core::Error on an empty
-/// image.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image);
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image);
+inline void write_png(const PngPixels& image,
+                      const std::filesystem::path& path,
+                      const Texts& texts = {}) {
+    const std::vector<std::uint8_t> bytes = encode_png(image, texts, path.string());
+    core::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
 
 }  // namespace ink::image_io

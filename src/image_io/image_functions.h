@@ -11,16 +11,10 @@ namespace ink::image_io {
 /// that it needs take a quarter of a second.
 struct ImageFunctions {
     GrayFile (*read_gray_file)(const std::filesystem::path&);
-    core::Image<std::uint8_t> (*read_gray)(const std::filesystem::path&);
     Picture (*read_picture)(const std::filesystem::path&);
     ExrFile (*read_exr)(const std::filesystem::path&);
     void (*write_exr)(const ExrFile&, const std::filesystem::path&);
-    void (*write_gray)(const core::Image<std::uint8_t>&,
-                       const std::filesystem::path&,
-                       const Texts&);
-    void (*write_rgb)(const core::Image<Rgb>&, const std::filesystem::path&, const Texts&);
-    std::vector<std::uint8_t> (*encode_gray)(const core::Image<std::uint8_t>&);
-    std::vector<std::uint8_t> (*encode_rgb)(const core::Image<Rgb>&);
+    std::vector<std::uint8_t> (*encode_png)(const PngPixels&, const Texts&, const std::string&);
 };
 
 /// How the module's one function is called; it takes nothing and returns `const ImageFunctions*`.

@@ -6,13 +6,9 @@ extern "C" __attribute__((visibility("default"))) const ink::image_io::ImageFunc
 inkbench_images() {
     using namespace ink::image_io;
     static constexpr ImageFunctions kFunctions{.read_gray_file = read_gray_file,
-                                               .read_gray = read_gray,
                                                .read_picture = read_picture,
                                                .read_exr = read_exr,
                                                .write_exr = write_exr,
-                                               .write_gray = write_png,
-                                               .write_rgb = write_png,
-                                               .encode_gray = encode_png,
-                                               .encode_rgb = encode_png};
+                                               .encode_png = encode_png};
     return &kFunctions;
 }

@@ -45,10 +45,6 @@ GrayFile read_gray_file(const fs::path& path) {
     return loaded().read_gray_file(path);
 }
 
-core::Image<std::uint8_t> read_gray(const fs::path& path) {
-    return loaded().read_gray(path);
-}
-
 Picture read_picture(const fs::path& path) {
     return loaded().read_picture(path);
 }
@@ -61,20 +57,10 @@ void write_exr(const ExrFile& file, const fs::path& path) {
     loaded().write_exr(file, path);
 }
 
-void write_png(const core::Image<std::uint8_t>& image, const fs::path& path, const Texts& texts) {
-    loaded().write_gray(image, path, texts);
-}
-
-void write_png(const core::Image<Rgb>& image, const fs::path& path, const Texts& texts) {
-    loaded().write_rgb(image, path, texts);
-}
-
-std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {
-    return loaded().encode_gray(image);
-}
-
-std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image) {
-    return loaded().encode_rgb(image);
+std::vector<std::uint8_t> encode_png(const PngPixels& image,
+                                     const Texts& texts,
+                                     const std::string& where) {
+    return loaded().encode_png(image, texts, where);
 }
 
 }  // namespace ink::image_io

@@ -8,7 +8,7 @@
 
 #include "edge/laplacian.h"
 #include "method/method.h"
-#include "score/drawn_matcher.h"
+#include "score/matching.h"
 #include "score/pixel_list.h"
 #include "score/reach.h"
 #include "score/score.h"
@@ -82,10 +82,10 @@ struct CancellationCount {
 /// other.
 class CountedInk {
   public:
-    CountedInk(score::PixelList pixels, const score::Disk& disk, int width_px)
+    CountedInk(score::PixelList pixels, const score::Disk& disk)
         : pixels_(std::move(pixels)),
-          matcher_(pixels_, disk, width_px),
-          reach_(score::reach_of(pixels_, disk, width_px)) {}
+          matcher_(pixels_, disk),
+          reach_(score::reach_of(pixels_, disk)) {}
     CountedInk(const CountedInk&) = delete;
     CountedInk& operator=(const CountedInk&) = delete;
 

@@ -159,7 +159,7 @@ void fill_rows(const harness::ViewTruth& truth,
                CancellationOf& study) {
     const harness::Evaluation& evaluation = study.evaluation;
     const auto ink_of = [&](const edge::Mask& drawn) {
-        return CountedInk(counted_positives(drawn, counted), counted.lists.disk, drawn.width_px());
+        return CountedInk(counted_positives(drawn, counted), counted.lists.disk);
     };
     CountedInk predicted = ink_of(predicted_positives(
         study.code, truth.traced.layers.triangle, counted.seeing, study.declared));

@@ -116,27 +116,19 @@ WrongPixels wrong_pixels(const Strokes& strokes,
                          const PixelList& drawn,
                          const TruthLists& lists,
                          const ScoreOptions& options) {
-    const int width_px = lists.countable.width_px();
-    WrongPixels wrong{
-        .false_positives = outside(drawn, reach_of(lists.truth, lists.disk, width_px)),
-        .false_negatives = outside(lists.truth, reach_of(drawn, lists.disk, width_px)),
-        .drawn = strokes.drawn};
+    WrongPixels wrong{.false_positives = outside(drawn, reach_of(lists.truth, lists.disk)),
+                      .false_negatives = outside(lists.truth, reach_of(drawn, lists.disk)),
+                      .drawn = strokes.drawn};
     clear_band(wrong.drawn, options.band_px);
     return wrong;
-}
-
-WrongPixels wrong_pixels(const Strokes& strokes,
-                         const ScoringTruth& truth,
-                         const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(strokes.drawn, truth, options);
-    return wrong_pixels(strokes, counted_pixels(strokes.thinned, lists), lists, options);
 }
 
 WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
                          const ScoringTruth& truth,
                          const ScoreOptions& options) {
-    check(options);
-    return wrong_pixels(make_strokes(prediction, options.threshold, options), truth, options);
+    const TruthLists lists = checked_lists(prediction, truth, options);
+    const Strokes strokes = make_strokes(prediction, options.threshold, options);
+    return wrong_pixels(strokes, counted_pixels(strokes.thinned, lists), lists, options);
 }
 
 std::string_view name(Cause cause) {

@@ -49,11 +49,6 @@ struct WrongPixels {
                                        const TruthLists& lists,
                                        const ScoreOptions& options);
 
-/// The same of strokes that were made already with these options; `threshold` is not read.
-[[nodiscard]] WrongPixels wrong_pixels(const Strokes& strokes,
-                                       const ScoringTruth& truth,
-                                       const ScoreOptions& options);
-
 /// Why a pixel is wrong. The first five are of predicted pixels off every line
 /// (`Score::false_positives`), the others of truth pixels that nothing was drawn near
 /// (`Score::false_negatives`).

@@ -63,9 +63,7 @@ void visit_words(std::span<const Bits> words, Visit visit) {
 }  // namespace
 
 BitMatcher::BitMatcher(int width_px, int height_px, const Disk& disk)
-    : width_px_(width_px),
-      height_px_(height_px),
-      stride_(static_cast<std::size_t>(width_px + 63) / 64 + 2),
+    : stride_(static_cast<std::size_t>(width_px + 63) / 64 + 2),
       word_count_(stride_ * static_cast<std::size_t>(height_px + 2)) {
     assert(disk.radius_px() <= kMostRadius_px);
     const int radius = disk.radius_px();
@@ -102,18 +100,13 @@ void BitMatcher::set_left(std::span<const Bits> words) {
     replace(left_, right_);
 }
 
-void BitMatcher::set_right(std::span<const Bits> words) {
-    take(words);
-    replace(right_, left_);
-}
-
-void BitMatcher::set_left(const PixelList& pixels, int x0, int y0) {
-    take(pixels, x0, y0);
+void BitMatcher::set_left(const PixelList& pixels) {
+    take(pixels);
     replace(left_, right_);
 }
 
-void BitMatcher::set_right(const PixelList& pixels, int x0, int y0) {
-    take(pixels, x0, y0);
+void BitMatcher::set_right(const PixelList& pixels) {
+    take(pixels);
     replace(right_, left_);
 }
 
@@ -123,14 +116,12 @@ void BitMatcher::take(std::span<const Bits> words) {
     visit_words(words, [&](std::size_t i) { taken_.push_back({head_ + i, words[i]}); });
 }
 
-void BitMatcher::take(const PixelList& pixels, int x0, int y0) {
+void BitMatcher::take(const PixelList& pixels) {
     taken_.clear();
-    const int y_end = std::min(y0 + height_px_, pixels.height_px());
-    for (int y = y0; y < y_end; ++y) {
-        const std::size_t row = head_ + static_cast<std::size_t>(y - y0 + 1) * stride_ + 1;
+    for (int y = 0; y < pixels.height_px(); ++y) {
+        const std::size_t row = head_ + static_cast<std::size_t>(y + 1) * stride_ + 1;
         for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
-            const int x = pixels.x(i) - x0;
-            if (x < 0 || x >= width_px_) continue;
+            const int x = pixels.x(i);
             const std::size_t at = row + static_cast<std::size_t>(x) / kBits;
             if (taken_.empty() || taken_.back().at != at) taken_.push_back({at, 0});
             taken_.back().bits |= Bits{1} << (x % kBits);

@@ -25,12 +25,11 @@ class BitMatcher {
     /// Of two empty sets, on an image of this size.
     BitMatcher(int width_px, int height_px, const Disk& disk);
 
-    /// Replaces a set by the words of an edge::BitMask of the image's size.
+    /// Replaces a set by the pixels of a list, or the words of an edge::BitMask, of the image's
+    /// size.
+    void set_left(const PixelList& pixels);
     void set_left(std::span<const std::uint64_t> words);
-    void set_right(std::span<const std::uint64_t> words);
-    /// Replaces a set by those pixels of a list that lie in the image, whose first is at (x0, y0).
-    void set_left(const PixelList& pixels, int x0 = 0, int y0 = 0);
-    void set_right(const PixelList& pixels, int x0 = 0, int y0 = 0);
+    void set_right(const PixelList& pixels);
 
     /// Pixels of a set.
     [[nodiscard]] std::int64_t left_size() const { return left_.size; }
@@ -66,7 +65,7 @@ class BitMatcher {
     };
 
     void take(std::span<const Bits> words);
-    void take(const PixelList& pixels, int x0, int y0);
+    void take(const PixelList& pixels);
     void replace(Side& side, Side& other);
     void replace_word(Side& side, Side& other, const Word& word);
     void match_at_once();
@@ -75,8 +74,6 @@ class BitMatcher {
     void flip(Place root, Place end, Side& from, Side& to);
     [[nodiscard]] std::int64_t count_reached(const Side& side, const Side& other) const;
 
-    int width_px_;
-    int height_px_;
     std::size_t stride_;
     std::size_t word_count_;
     std::size_t head_;  ///< words before those of a set, so that a row above the first is there

@@ -51,7 +51,7 @@ class ByResponse {
 class CurveCounter {
   public:
     explicit CurveCounter(const TruthLists& lists)
-        : lists_(lists), matcher_(lists.countable.width_px(), lists.truth.height_px(), lists.disk) {
+        : lists_(lists), matcher_(lists.truth.width_px(), lists.truth.height_px(), lists.disk) {
         matcher_.set_right(lists.truth);
     }
 

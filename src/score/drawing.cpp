@@ -75,8 +75,7 @@ Strokes make_strokes(const edge::EdgeImage& prediction,
 TruthLists list_truth(const ScoringTruth& truth, const ScoreOptions& options) {
     TruthLists lists{
         PixelList(truth.labels), PixelList(truth.ignore), Disk(options.tolerance_px), {}, {}};
-    lists.countable = countable_pixels(
-        lists.truth, lists.ignore, lists.disk, truth.labels.width_px(), options.band_px);
+    lists.countable = countable_pixels(lists.truth, lists.ignore, lists.disk, options.band_px);
     lists.classes = classes_of(lists.truth, truth);
     return lists;
 }
@@ -97,7 +96,7 @@ PixelList counted_pixels(edge::BitMask drawn, const TruthLists& lists) {
 }
 
 CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
-    return {.k = count_pairs(drawn, lists.truth, lists.disk),
+    return {.k = DrawnMatcher(drawn, lists.disk).match(lists.truth),
             .n_pred = static_cast<std::int64_t>(drawn.size()),
             .n_truth = static_cast<std::int64_t>(lists.truth.size())};
 }

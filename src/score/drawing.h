@@ -63,15 +63,7 @@ struct TruthLists {
 /// Matches what counts of a drawing with the truth.
 [[nodiscard]] CurveCount match_counts(const PixelList& drawn, const TruthLists& lists);
 
-/// What score() says of strokes that were made already with these options: several tolerances
-/// need one thinning. `threshold` is not read.
-///
-/// Throws core::Error as score() does.
-[[nodiscard]] Score score_strokes(const Strokes& strokes,
-                                  const ScoringTruth& truth,
-                                  const ScoreOptions& options);
-
-/// The same where truth and drawing are at hand as lists: `drawn` is what counts of the strokes.
+/// What score() says of strokes, of which `drawn` counts.
 [[nodiscard]] Score score_lists(const Strokes& strokes,
                                 const PixelList& drawn,
                                 const TruthLists& lists);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "score/bit_matcher.h"
 #include "score/pixel_list.h"
 
 namespace ink::score {
@@ -19,9 +20,19 @@ struct MatchCounts {
                                        const PixelList& right,
                                        const Disk& disk);
 
-/// match_pixels().k alone, which takes less.
-[[nodiscard]] std::int64_t count_pairs(const PixelList& left,
-                                       const PixelList& right,
-                                       const Disk& disk);
+/// Matches the drawn pixels of one image with one set of true pixels after the other: classes,
+/// bins, kinds. What belongs to the image alone is made once.
+class DrawnMatcher {
+  public:
+    DrawnMatcher(const PixelList& drawn, const Disk& disk);
+
+    /// The size of a maximum one-to-one matching with `truth`, of the image's size:
+    /// match_pixels().k.
+    [[nodiscard]] std::int64_t match(const PixelList& truth);
+
+  private:
+    bool is_empty_;
+    BitMatcher matcher_;
+};
 
 }  // namespace ink::score

@@ -23,7 +23,7 @@ Feature feature_of(const truth::Curve& curve) {
 
 /// 1 for each pixel with one of `lines` (not 0) in reach.
 edge::Mask near_lines(const core::Image<std::uint8_t>& lines, double tolerance_px) {
-    return reach_of(PixelList(lines), Disk(tolerance_px), lines.width_px()).bytes();
+    return reach_of(PixelList(lines), Disk(tolerance_px)).bytes();
 }
 
 /// 1 for each pixel in which a line is asked for.

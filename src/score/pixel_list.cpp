@@ -6,7 +6,8 @@
 
 namespace ink::score {
 
-PixelList::PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label) {
+PixelList::PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label)
+    : width_px_(image.width_px()) {
     row_begin_.reserve(static_cast<std::size_t>(image.height_px()) + 1);
     for (int y = 0; y < image.height_px(); ++y) {
         const std::uint8_t* row = image.row(y);
@@ -17,7 +18,7 @@ PixelList::PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label)
     }
 }
 
-PixelList::PixelList(const edge::BitMask& mask, int band_px) {
+PixelList::PixelList(const edge::BitMask& mask, int band_px) : width_px_(mask.width_px()) {
     row_begin_.reserve(static_cast<std::size_t>(mask.height_px()) + 1);
     const int x_end = mask.width_px() - band_px;
     for (int y = 0; y < mask.height_px(); ++y) {

@@ -23,6 +23,7 @@ class PixelList {
     /// The pixels of a mask that are at least `band_px` from its frame.
     PixelList(const edge::BitMask& mask, int band_px);
 
+    [[nodiscard]] int width_px() const { return width_px_; }
     [[nodiscard]] int height_px() const { return static_cast<int>(row_begin_.size()) - 1; }
     [[nodiscard]] std::size_t size() const { return x_.size(); }
     [[nodiscard]] bool is_empty() const { return x_.empty(); }
@@ -47,6 +48,7 @@ class PixelList {
     void drop(const std::vector<std::uint8_t>& is_dropped);
 
   private:
+    int width_px_ = 0;
     std::vector<std::int32_t> x_;
     std::vector<std::size_t> row_begin_ = {0};
 };

@@ -22,7 +22,8 @@ void set_run(std::uint64_t* row, int first, int end) {
 
 }  // namespace
 
-edge::BitMask reach_of(const PixelList& pixels, const Disk& disk, int width_px) {
+edge::BitMask reach_of(const PixelList& pixels, const Disk& disk) {
+    const int width_px = pixels.width_px();
     edge::BitMask mask(width_px, pixels.height_px());
     for (int y = 0; y < pixels.height_px(); ++y) {
         const int first_row = std::max(0, y - disk.radius_px());
@@ -43,15 +44,18 @@ edge::BitMask reach_of(const PixelList& pixels, const Disk& disk, int width_px) 
     return mask;
 }
 
-edge::BitMask countable_pixels(
-    const PixelList& truth, const PixelList& ignore, const Disk& disk, int width_px, int band_px) {
+edge::BitMask countable_pixels(const PixelList& truth,
+                               const PixelList& ignore,
+                               const Disk& disk,
+                               int band_px) {
+    const int width_px = truth.width_px();
     const int height_px = truth.height_px();
     edge::BitMask mask(width_px, height_px);
     for (int y = band_px; y < height_px - band_px; ++y)
         set_run(row_of(mask, y), band_px, width_px - band_px);
     if (ignore.is_empty()) return mask;
-    edge::BitMask ignored = reach_of(ignore, disk, width_px);
-    edge::BitMask wanted = reach_of(truth, disk, width_px);
+    edge::BitMask ignored = reach_of(ignore, disk);
+    edge::BitMask wanted = reach_of(truth, disk);
     for (std::size_t i = 0; i < mask.words().size(); ++i)
         mask.words()[i] &= ~ignored.words()[i] | wanted.words()[i];
     return mask;

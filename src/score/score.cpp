@@ -8,7 +8,6 @@
 #include "edge/thin.h"
 #include "score/bit_matcher.h"
 #include "score/drawing.h"
-#include "score/drawn_matcher.h"
 #include "score/matching.h"
 #include "score/pixel_list.h"
 
@@ -61,7 +60,7 @@ bool is_binary(const std::vector<std::uint8_t>& labels) {
 /// global matchings was found must not decide a recall.
 std::vector<ClassCount> match_classes(const PixelList& drawn, const TruthLists& lists) {
     if (lists.classes.empty()) return {};
-    DrawnMatcher matcher(drawn, lists.disk, lists.countable.width_px());
+    DrawnMatcher matcher(drawn, lists.disk);
     std::vector<ClassCount> classes;
     for (const ClassPixels& of_class : lists.classes) {
         classes.push_back({.label = of_class.label,
@@ -123,13 +122,6 @@ ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
     return truth;
 }
 
-Score score_strokes(const Strokes& strokes,
-                    const ScoringTruth& truth,
-                    const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(strokes.drawn, truth, options);
-    return score_lists(strokes, counted_pixels(strokes.thinned, lists), lists);
-}
-
 Score score_lists(const Strokes& strokes, const PixelList& drawn, const TruthLists& lists) {
     const MatchCounts counts = match_pixels(drawn, lists.truth, lists.disk);
     Score result;
@@ -148,8 +140,9 @@ Score score_lists(const Strokes& strokes, const PixelList& drawn, const TruthLis
 Score score(const edge::EdgeImage& prediction,
             const ScoringTruth& truth,
             const ScoreOptions& options) {
-    check(options);
-    return score_strokes(make_strokes(prediction, options.threshold, options), truth, options);
+    const TruthLists lists = checked_lists(prediction, truth, options);
+    const Strokes strokes = make_strokes(prediction, options.threshold, options);
+    return score_lists(strokes, counted_pixels(strokes.thinned, lists), lists);
 }
 
 }  // namespace ink::score

@@ -71,7 +71,7 @@ InkTruth prepare_ink(core::Image<float> coverage,
     const int width = coverage.width_px();
     const int height = coverage.height_px();
     const Disk reach(std::max(options.tolerance_px, line_width_px / 2 + 1));
-    const edge::BitMask ignored = reach_of(PixelList(truth.ignore), reach, width);
+    const edge::BitMask ignored = reach_of(PixelList(truth.ignore), reach);
     InkTruth ink{std::move(coverage), edge::Mask(width, height), line_width_px};
     const int band = options.band_px;
     for (int y = 0; y < height; ++y) {

@@ -204,9 +204,7 @@ std::vector<score::CurveCount> TuneBench::view_counts(const method::MethodConfig
         score::Strokes strokes = score::make_strokes(images[i], options.threshold, options);
         const score::PixelList drawn =
             score::counted_pixels(std::move(strokes.thinned), view.lists);
-        by_view[i] = {.k = score::count_pairs(drawn, view.lists.truth, view.lists.disk),
-                      .n_pred = static_cast<std::int64_t>(drawn.size()),
-                      .n_truth = static_cast<std::int64_t>(view.lists.truth.size())};
+        by_view[i] = score::match_counts(drawn, view.lists);
     });
     return by_view;
 }

@@ -10,8 +10,8 @@
 
 #include "core/tables/csv_table.h"
 #include "entrants/image_folder.h"
+#include "harness/images/outline_image.h"
 #include "image_io/picture_file.h"
-#include "score/polarity.h"
 #include "tests/core/temp_folder.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -79,7 +79,7 @@ void check_entrant_image(Bytes bytes) {
         const edge::EdgeImage image = read();
         expect(image.width_px() == view.width_px && image.height_px() == view.height_px,
                "the image has the size of the view");
-        expect(!score::has_dark_lines(image), "lines are light on dark");
+        expect(!harness::has_dark_lines(image), "lines are light on dark");
     });
     ++view.width_px;
     expect(!unless_refused(read), "an image of another size is refused");

@@ -99,9 +99,9 @@ void check_matching(Bytes bytes) {
         expect(counts.left_reached == from_left, "it counts left pixels in reach");
         expect(counts.right_reached == from_right, "it counts right pixels in reach");
         expect(score::match_pixels(b, a, disk).k == k, "it is symmetric");
-        edge::BitMask left_bits(left_image), right_bits(right_image);
+        edge::BitMask left_bits(left_image);
         matcher.set_left(left_bits.words());
-        matcher.set_right(right_bits.words());
+        matcher.set_right(b);
         expect(matcher.match() == k, "a BitMatcher finds the most pairs");
         expect(matcher.left_reached() == from_left, "it counts left pixels in reach");
         expect(matcher.right_reached() == from_right, "it counts right pixels in reach");

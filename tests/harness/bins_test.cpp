@@ -121,7 +121,7 @@ TEST(Bins, AreMatchedEachAlone) {
         drawn.at(x, 12) = 1;
     const score::PixelList pixels(drawn);
     const auto matched = [&](double tolerance_px) {
-        score::DrawnMatcher matcher(pixels, score::Disk(tolerance_px), 100);
+        score::DrawnMatcher matcher(pixels, score::Disk(tolerance_px));
         return match_bins(matcher, bin_truth(made.traced, made.scoring));
     };
     const auto counts = matched(1);

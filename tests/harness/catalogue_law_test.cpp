@@ -43,12 +43,19 @@ truth::TruthOptions without_layers() {
     return {.threads = core::hardware_threads(), .layers = false};
 }
 
+score::Score score_of(const score::Strokes& strokes,
+                      const score::ScoringTruth& truth,
+                      const score::ScoreOptions& options) {
+    const score::TruthLists lists = score::list_truth(truth, options);
+    return score::score_lists(strokes, score::counted_pixels(strokes.thinned, lists), lists);
+}
+
 void expect_full_self_score(const ViewTruth& truth) {
     score::ScoreOptions options = score_options(128);
     const auto strokes = score::make_strokes(drawing_of(truth.scoring), 128, options);
     for (const double tolerance_px : kTolerances_px) {
         options.tolerance_px = tolerance_px;
-        const score::Score s = score::score_strokes(strokes, truth.scoring, options);
+        const score::Score s = score_of(strokes, truth.scoring, options);
         EXPECT_EQ(s.k, s.n_truth) << tolerance_px;
         EXPECT_EQ(s.k, s.n_pred) << tolerance_px;
         EXPECT_EQ(s.f(), 1.0) << tolerance_px;
@@ -61,7 +68,7 @@ void expect_laws(const edge::EdgeImage& image, int threshold, const ViewTruth& t
     std::int64_t k_before = 0;
     for (const double tolerance_px : kTolerances_px) {
         options.tolerance_px = tolerance_px;
-        const score::Score s = score::score_strokes(strokes, truth.scoring, options);
+        const score::Score s = score_of(strokes, truth.scoring, options);
         EXPECT_EQ(s.n_pred, s.k + s.unmatched_duplicates + s.false_positives) << tolerance_px;
         EXPECT_EQ(s.n_truth, s.k + s.unmatched_truth + s.false_negatives) << tolerance_px;
         for (const std::int64_t n :
@@ -87,7 +94,7 @@ void expect_symmetry(const edge::EdgeImage& image, int threshold, const ViewTrut
     const auto drawn_as_truth = score::prepare_truth(strokes.drawn, options, false);
     auto labels_as_truth = truth.scoring;
     labels_as_truth.ignore.fill(0);
-    const score::Score there = score::score_strokes(strokes, labels_as_truth, options);
+    const score::Score there = score_of(strokes, labels_as_truth, options);
     const score::Score back = score::score(drawing_of(truth.scoring), drawn_as_truth, options);
     EXPECT_EQ(there.k, back.k);
     EXPECT_EQ(there.unmatched_duplicates, back.unmatched_truth);
@@ -101,7 +108,7 @@ void expect_bins(const ViewTruth& truth) {
     const auto strokes = score::make_strokes(drawing_of(truth.scoring), 128, score_options(128));
     const score::TruthLists lists = list_view(truth).scoring;
     const score::PixelList drawn = score::counted_pixels(strokes.thinned, lists);
-    score::DrawnMatcher matcher(drawn, lists.disk, lists.countable.width_px());
+    score::DrawnMatcher matcher(drawn, lists.disk);
     std::array<std::int64_t, 4> n_truth{};
     for (const BinCount& bin : match_bins(matcher, bin_truth(truth.traced, truth.scoring))) {
         EXPECT_EQ(bin.k, bin.n_truth);

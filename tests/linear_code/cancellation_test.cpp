@@ -237,8 +237,8 @@ score::PixelList pixels_at(const std::vector<score::Pixel>& pixels) {
 TEST(CancellationCount, CountsWhatEachInkMissesAndWhatBothDo) {
     // True pixels 0 1 9 14; predicted ink reaches 0 and 1 once, measured ink 9.
     const auto kind = pixels_at({{0, 1}, {1, 1}, {9, 1}, {14, 1}});
-    CountedInk predicted(pixels_at({{1, 2}}), score::Disk(2), 20);
-    CountedInk measured(pixels_at({{10, 1}, {11, 1}}), score::Disk(2), 20);
+    CountedInk predicted(pixels_at({{1, 2}}), score::Disk(2));
+    CountedInk measured(pixels_at({{10, 1}, {11, 1}}), score::Disk(2));
     const CancellationCount count = count_cancellation(kind, predicted, measured);
     EXPECT_EQ(count.n_truth, 4);
     EXPECT_EQ(count.predicted_missed, 3) << "one ink pixel is matched once";

@@ -9,6 +9,7 @@
 
 #include "edge/bit_mask.h"
 #include "score/bit_matcher.h"
+#include "score/reach.h"
 #include "tests/score/images.h"
 #include "tests/score/plain_matching.h"
 
@@ -16,10 +17,12 @@ namespace {
 
 using ink::score::BitMatcher;
 using ink::score::Disk;
+using ink::score::DrawnMatcher;
 using ink::score::match_pixels;
 using ink::score::MatchCounts;
 using ink::score::PixelList;
 using ink::score::PlainMatching;
+using ink::score::reach_of;
 using ink::score::within_reach;
 
 using Points = std::vector<std::pair<int, int>>;
@@ -160,10 +163,10 @@ TEST(BitMatcher, EqualsThePlainMatcherAsSetsChange) {
             const Image flips = random_image(kWidth_px, kHeight_px, 0.04, 1, random);
             for (std::size_t i = 0; i < flips.size(); ++i)
                 changed.data()[i] ^= flips.data()[i];
-            ink::edge::BitMask left_bits(left), right_bits(right);
-            matcher.set_left(left_bits.words());
-            matcher.set_right(right_bits.words());
             const PixelList a(left), b(right);
+            ink::edge::BitMask left_bits(left);
+            matcher.set_left(left_bits.words());
+            matcher.set_right(b);
             ASSERT_EQ(matcher.match(), PlainMatching(a, b, disk).size())
                 << tolerance_px << " px, round " << round;
             const auto reached = [](const std::vector<std::uint8_t>& is_reached) {
@@ -171,6 +174,36 @@ TEST(BitMatcher, EqualsThePlainMatcherAsSetsChange) {
             };
             ASSERT_EQ(matcher.left_reached(), reached(within_reach(a, b, disk)));
             ASSERT_EQ(matcher.right_reached(), reached(within_reach(b, a, disk)));
+        }
+    }
+}
+
+TEST(DrawnMatcher, MatchesOneSetAfterTheOtherAsEachAlone) {
+    std::mt19937 random(7);
+    for (const double tolerance_px : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+        const Disk disk(tolerance_px);
+        for (const double drawn_share : {0.05, 0.0}) {
+            const PixelList drawn(random_image(150, 40, drawn_share, 1, random));
+            DrawnMatcher matcher(drawn, disk);
+            for (const double share : {0.03, 0.0, 0.0002, 0.007, 0.15, 0.03}) {
+                const PixelList truth(random_image(150, 40, share, 1, random));
+                EXPECT_EQ(matcher.match(truth), match_pixels(drawn, truth, disk).k)
+                    << tolerance_px << " px, " << share;
+            }
+        }
+    }
+}
+
+TEST(ReachOf, HoldsThePixelsThatHaveOneInReach) {
+    std::mt19937 random(3);
+    const Image everywhere(150, 40, 1);
+    for (const double tolerance_px : {1.0, 2.0, 3.0}) {
+        for (const double share : {0.0, 0.001, 0.02, 0.3}) {
+            const PixelList pixels(random_image(150, 40, share, 1, random));
+            const Disk disk(tolerance_px);
+            const auto reach = reach_of(pixels, disk).bytes();
+            const auto expected = within_reach(PixelList(everywhere), pixels, disk);
+            ASSERT_TRUE(std::equal(expected.begin(), expected.end(), reach.data()));
         }
     }
 }

@@ -10,7 +10,6 @@
 
 #include "core/srgb.h"
 #include "image_io/picture_file.h"
-#include "score/polarity.h"
 
 namespace ink::harness {
 namespace {
@@ -21,6 +20,13 @@ using Colours = core::Image<Rgb>;
 
 /// Lines cover at most so much of an image.
 constexpr double kMostLines = 0.25;
+
+/// Each pixel v as 255 - v: dark lines as edge responses.
+void invert(Gray& image) {
+    std::transform(image.data(), image.data() + image.size(), image.data(), [](int v) {
+        return static_cast<std::uint8_t>(255 - v);
+    });
+}
 
 /// Whether the pixels of `mask` are surfaces rather than lines: most have others 4 px away on all
 /// four sides.
@@ -195,8 +201,8 @@ bool read_coloured_lines(const Colours& colours, Polarity polarity, OutlineImage
     for (ShownLines& shown : all) {
         if (shown.contrast <= 0 || shown.contrast < kAsGood * best) continue;
         if (shown.note.empty()) return false;
-        if (shown.is_inverted) score::invert(shown.values);
-        const bool would_ground_count = is_automatic && score::has_dark_lines(shown.values);
+        if (shown.is_inverted) invert(shown.values);
+        const bool would_ground_count = is_automatic && has_dark_lines(shown.values);
         if (would_ground_count) continue;
         outline.responses = std::move(shown.values);
         outline.is_inverted = shown.is_inverted;
@@ -221,6 +227,16 @@ void take_light(OutlineImage& outline) {
 
 }  // namespace
 
+bool has_dark_lines(const Gray& image) {
+    constexpr double kLeastLight = 0.75;
+    if (image.is_empty()) return false;
+    const auto* end = image.data() + image.size();
+    const auto light = std::count_if(image.data(), end, [](int v) { return v >= 128; });
+    const auto [least, most] = std::minmax_element(image.data(), end);
+    return *least != *most &&
+           static_cast<double>(light) > kLeastLight * static_cast<double>(image.size());
+}
+
 OutlineImage read_outline_image(const std::filesystem::path& path, Polarity polarity) {
     image_io::Picture picture = image_io::read_picture(path);
     if (!picture.alpha.is_empty()) lay_over_ground(picture, polarity);
@@ -231,10 +247,9 @@ OutlineImage read_outline_image(const std::filesystem::path& path, Polarity pola
     if (read_coloured_lines(picture.colour, polarity, outline)) return outline;
     outline.responses = gray_of(picture.colour, image_io::luma);
     if (is_of_light) take_light(outline);
-    outline.is_inverted =
-        polarity == Polarity::dark_on_light ||
-        (polarity == Polarity::automatic && score::has_dark_lines(outline.responses));
-    if (outline.is_inverted) score::invert(outline.responses);
+    outline.is_inverted = polarity == Polarity::dark_on_light ||
+                          (polarity == Polarity::automatic && has_dark_lines(outline.responses));
+    if (outline.is_inverted) invert(outline.responses);
     return outline;
 }
 

@@ -24,6 +24,11 @@ struct OutlineImage {
     std::vector<std::string> notes = {};
 };
 
+/// Whether an outline image has dark lines on light: more than three quarters of its pixels are 128
+/// or lighter. Lines cover a small part of any image. An image of one value has no lines, and
+/// is not taken for one; nor is an empty one.
+[[nodiscard]] bool has_dark_lines(const core::Image<std::uint8_t>& image);
+
 /// Reads any picture (image_io::read_picture) as an outline.
 ///
 /// Where it has alpha, it is laid over the opposite of its lines: of lines alone, black if they are

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "score/drawn_matcher.h"
+#include "score/matching.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
 #include "truth/truth.h"

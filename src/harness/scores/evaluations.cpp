@@ -127,8 +127,7 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
         fill_intersections(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
         fill_crowded(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
         evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
-        score::DrawnMatcher matcher(
-            scored.drawn, lists.scoring.disk, lists.scoring.countable.width_px());
+        score::DrawnMatcher matcher(scored.drawn, lists.scoring.disk);
         evaluation.row.bins = match_bins(matcher, bins);
         scored.strokes = {};
         scored.drawn = {};

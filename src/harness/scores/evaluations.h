@@ -9,7 +9,6 @@
 
 #include "edge/edge_image.h"
 #include "harness/cells/cell.h"
-#include "harness/images/shown_view.h"
 #include "harness/rows/row.h"
 #include "harness/scores/miss_prediction.h"
 #include "harness/truths/crosscheck_cache.h"

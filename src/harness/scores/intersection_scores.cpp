@@ -6,7 +6,7 @@
 
 #include "harness/cells/cell.h"
 #include "harness/truths/unscored_view.h"
-#include "score/drawn_matcher.h"
+#include "score/matching.h"
 
 namespace ink::harness {
 namespace {
@@ -27,7 +27,7 @@ struct Counted {
     Counted(const score::Strokes& strokes, const score::TruthLists& truth_lists)
         : lists(truth_lists),
           drawn(score::counted_pixels(strokes.thinned, lists)),
-          matcher(drawn, lists.disk, lists.countable.width_px()) {}
+          matcher(drawn, lists.disk) {}
 
     /// Recall of some of the true pixels; none leaves the row without the group.
     void fill(std::string_view group, const PixelList& true_pixels, Row& row) {
