@@ -12,12 +12,9 @@
 #include "draw/exr_layers.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
-#include "truth/line_class.h"
 
 namespace ink::given_images {
 namespace {
-
-using Gray = core::Image<std::uint8_t>;
 
 /// The channel called `name`, or null.
 template <class T>
@@ -50,17 +47,15 @@ TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersecti
                           "it has no channel class.label of whole numbers",
                           "the file of inkbench truth -o truth.exr");
     }
-    TruthLabels truth{Gray(labels->width_px(), labels->height_px()),
+    TruthLabels truth{core::mapped<std::uint8_t>(*labels,
+                                                 [](std::uint32_t label) {
+                                                     return static_cast<std::uint8_t>(
+                                                         std::min<std::uint32_t>(label, 255));
+                                                 }),
                       find_attribute<double>(file, "ink:ignore_label"),
                       find_attribute<double>(file, "ink:band_px"),
                       true,
                       find_attribute<std::string>(file, "ink:command").value_or("")};
-    std::transform(labels->data(),
-                   labels->data() + labels->size(),
-                   truth.labels.data(),
-                   [](std::uint32_t label) {
-                       return static_cast<std::uint8_t>(std::min<std::uint32_t>(label, 255));
-                   });
     if (const auto* coverage = find_channel<float>(file, draw::kCoverageChannel)) {
         truth.coverage = *coverage;
         const auto* const end = coverage->data() + coverage->size();
@@ -79,11 +74,10 @@ TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersecti
         truth.line_width_px = find_attribute<double>(file, draw::kLineWidthAttribute).value_or(0);
     }
     const auto* below = find_channel<std::uint32_t>(file, "class.below_crease");
-    if (below == nullptr || intersections == score::Intersections::all) return truth;
-    for (std::size_t i = 0; i < truth.labels.size(); ++i) {
-        if (below->data()[i] != 0)
-            truth.labels.data()[i] = static_cast<std::uint8_t>(truth::LineClass::ignore);
-    }
+    if (below == nullptr) return truth;
+    const auto is_below =
+        core::mapped<std::uint8_t>(*below, [](std::uint32_t value) { return value != 0; });
+    truth.labels = score::counted_labels(truth.labels, is_below, intersections);
     return truth;
 }
 

@@ -1,6 +1,7 @@
 #include "score/doubts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,34 +19,26 @@ namespace {
 /// By how much F grows at another threshold, to be worth a word.
 constexpr double kBetterThreshold = 0.02;
 
-/// Whole pixels to the right and down.
-struct Shift {
-    int right_px = 0;
-    int down_px = 0;
-};
-
 constexpr int kFarthestShift_px = 16;
 
-edge::EdgeImage flipped(const edge::EdgeImage& image, bool in_x, bool in_y) {
+/// Each pixel from where `from(x, y)` says; 0 from outside.
+template <class From>
+edge::EdgeImage taken_from(const edge::EdgeImage& image, const From& from) {
     edge::EdgeImage result(image.width_px(), image.height_px());
     for (int y = 0; y < image.height_px(); ++y) {
         for (int x = 0; x < image.width_px(); ++x) {
-            result.at(x, y) =
-                image.at(in_x ? image.width_px() - 1 - x : x, in_y ? image.height_px() - 1 - y : y);
+            const glm::ivec2 p = from(x, y);
+            if (image.contains(p.x, p.y)) result.at(x, y) = image.at(p.x, p.y);
         }
     }
     return result;
 }
 
-edge::EdgeImage moved(const edge::EdgeImage& image, const Shift& by) {
-    edge::EdgeImage result(image.width_px(), image.height_px(), 0);
-    for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x) {
-            if (image.contains(x - by.right_px, y - by.down_px))
-                result.at(x, y) = image.at(x - by.right_px, y - by.down_px);
-        }
-    }
-    return result;
+edge::EdgeImage flipped(const edge::EdgeImage& image, bool in_x, bool in_y) {
+    return taken_from(image, [&](int x, int y) {
+        return glm::ivec2(in_x ? image.width_px() - 1 - x : x,
+                          in_y ? image.height_px() - 1 - y : y);
+    });
 }
 
 /// 2 at true pixels, 1 at their neighbours, with a frame as wide as any shift, so that none leaves
@@ -89,10 +82,10 @@ std::vector<glm::ivec2> line_pixels(const edge::EdgeImage& image,
     return pixels;
 }
 
-/// By how much the drawing is to be moved so that most of it lies at the truth; of shifts that are
-/// as good, the shortest.
-Shift best_shift(const std::vector<glm::ivec2>& drawn, const NearTruth& near) {
-    Shift best;
+/// By how much the drawing is to be moved, right and down, so that most of it lies at the truth; of
+/// shifts that are as good, the shortest.
+glm::ivec2 best_shift(const std::vector<glm::ivec2>& drawn, const NearTruth& near) {
+    glm::ivec2 best{0};
     std::tuple<std::int64_t, int> most{-1, 0};
     for (int down_px = -kFarthestShift_px; down_px <= kFarthestShift_px; ++down_px) {
         for (int right_px = -kFarthestShift_px; right_px <= kFarthestShift_px; ++right_px) {
@@ -152,15 +145,9 @@ Border best_border(const std::vector<glm::ivec2>& drawn,
 edge::EdgeImage without(const Border& border, const edge::EdgeImage& image) {
     const glm::dvec2 size_px(image.width_px(), image.height_px());
     const glm::dvec2 growth = border.growth(size_px);
-    edge::EdgeImage result(image.width_px(), image.height_px());
-    for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x) {
-            const glm::ivec2 from =
-                0.5 * size_px + (glm::dvec2(x + 0.5, y + 0.5) - 0.5 * size_px) / growth;
-            result.at(x, y) = image.at(from.x, from.y);
-        }
-    }
-    return result;
+    return taken_from(image, [&](int x, int y) {
+        return glm::ivec2(0.5 * size_px + (glm::dvec2(x + 0.5, y + 0.5) - 0.5 * size_px) / growth);
+    });
 }
 
 /// Of the pixels that lie `from_frame_px` from the frame, the share that counts as drawn.
@@ -243,19 +230,14 @@ std::string threshold_text(const ThresholdScore& better,
 }
 
 /// "8 px to the right and 3 px up".
-std::string shift_text(const Shift& shift) {
-    std::string text;
-    if (shift.right_px != 0) {
-        text = fmt::format(
-            "{} px to the {}", std::abs(shift.right_px), shift.right_px > 0 ? "right" : "left");
-    }
-    if (shift.down_px != 0) {
-        text += fmt::format("{}{} px {}",
-                            text.empty() ? "" : " and ",
-                            std::abs(shift.down_px),
-                            shift.down_px > 0 ? "down" : "up");
-    }
-    return text;
+std::string shift_text(const glm::ivec2& shift) {
+    std::vector<std::string> ways;
+    if (shift.x != 0)
+        ways.push_back(
+            fmt::format("{} px to the {}", std::abs(shift.x), shift.x > 0 ? "right" : "left"));
+    if (shift.y != 0)
+        ways.push_back(fmt::format("{} px {}", std::abs(shift.y), shift.y > 0 ? "down" : "up"));
+    return fmt::format("{}", fmt::join(ways, " and "));
 }
 
 /// What is wrong with the place of lines, or their strength; or "".
@@ -288,10 +270,10 @@ std::string doubt_of_lines(const edge::EdgeImage& image,
         try_undone(flipped(image, true, true), flipped_f, "it seems to be turned by 180 degrees");
         const NearTruth near(truth.labels);
         const auto drawn = line_pixels(image, options.threshold, options);
-        const Shift undo = best_shift(drawn, near);
-        try_undone(moved(image, undo),
+        const glm::ivec2 undo = best_shift(drawn, near);
+        try_undone(taken_from(image, [&](int x, int y) { return glm::ivec2(x, y) - undo; }),
                    placed_f,
-                   "it seems to be shifted by " + shift_text({-undo.right_px, -undo.down_px}));
+                   "it seems to be shifted by " + shift_text(-undo));
         const Border border = best_border(drawn, near, {image.width_px(), image.height_px()});
         try_undone(
             without(border, image),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "score/drawing.h"
 #include "score/pixel_list.h"
 #include "score/reach.h"
 
@@ -72,16 +73,12 @@ InkTruth prepare_ink(core::Image<float> coverage,
     const int height = coverage.height_px();
     const Disk reach(std::max(options.tolerance_px, line_width_px / 2 + 1));
     const edge::BitMask ignored = reach_of(PixelList(truth.ignore), reach);
-    InkTruth ink{std::move(coverage), edge::Mask(width, height), line_width_px};
-    const int band = options.band_px;
+    InkTruth ink{std::move(coverage), edge::Mask(width, height, 1), line_width_px};
+    clear_band(ink.counts, options.band_px);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const bool is_in_band = x < band || y < band || x >= width - band || y >= height - band;
-            if (is_in_band || ignored.is_set(x, y)) {
-                ink.coverage.at(x, y) = 0;
-            } else {
-                ink.counts.at(x, y) = 1;
-            }
+            if (ignored.is_set(x, y)) ink.counts.at(x, y) = 0;
+            if (ink.counts.at(x, y) == 0) ink.coverage.at(x, y) = 0;
         }
     }
     return ink;

@@ -36,54 +36,45 @@ std::map<std::string, statistics::Interval> class_recall_intervals(
 
 /// What a line is made from.
 struct Line {
-    const MethodSummary& summary;
+    MethodSummary summary;
     std::map<std::string, statistics::Interval> recall_ranges;
     std::string answer;
     std::optional<double> answer_share = {};
 };
 using SummaryTable = core::TableOf<Line>;
 
-std::optional<double> low_of(const std::optional<statistics::Interval>& range) {
-    return range ? std::optional(range->low) : std::nullopt;
-}
-
-std::optional<double> high_of(const std::optional<statistics::Interval>& range) {
-    return range ? std::optional(range->high) : std::nullopt;
-}
-
-template <class T>
-std::optional<T> find_in(const std::map<std::string, T>& values, const std::string& key) {
-    const auto found = values.find(key);
-    return found == values.end() ? std::nullopt : std::optional(found->second);
+/// The two ends of an interval.
+void add_ends(const core::PartOf<statistics::Interval>& range,
+              core::Column low,
+              core::Column high) {
+    range.add_derived(std::move(low), &statistics::Interval::low);
+    range.add_derived(std::move(high), &statistics::Interval::high);
 }
 
 void add_recalls(SummaryTable& table) {
     for (const core::Term& group : core::vocabulary().recall_groups) {
         const std::string name(group.name);
         const std::string key = "recall_" + name;
-        table.add_derived(
-            {key, "0..1", "recall of this class, pooled over views"},
-            [name](const Line& line) { return find_in(line.summary.recall_by_class, name); });
-        table.add_derived(
-            {key + "_lo", "0..1", "lower end of its nominal 95 % interval"},
-            [name](const Line& line) { return low_of(find_in(line.recall_ranges, name)); });
-        table.add_derived({key + "_hi", "0..1", "upper end"}, [name](const Line& line) {
-            return high_of(find_in(line.recall_ranges, name));
-        });
+        table.part_if([name](const Line& of) { return of.summary.recall_by_class.contains(name); })
+            .add_derived({key, "0..1", "recall of this class, pooled over views"},
+                         [name](const Line& of) { return of.summary.recall_by_class.at(name); });
+        add_ends(table.part_if([name](const Line& of) { return of.recall_ranges.contains(name); })
+                     .part([name](Line & of) -> auto& { return of.recall_ranges.at(name); }),
+                 {key + "_lo", "0..1", "lower end of its nominal 95 % interval"},
+                 {key + "_hi", "0..1", "upper end"});
     }
 }
 
 /// An F with its interval, and over parts of the suite: columns that begin with `name` or `error`.
-void add_f(const core::PartOf<const FSummary>& f,
+void add_f(const core::PartOf<FSummary>& f,
            core::Column whole,
            const std::string& name,
            const std::string& error) {
     using S = FSummary;
     f.add_derived(std::move(whole), &S::all);
-    f.add_derived(
-        {name + "_lo", "0..1", "lower end of its nominal 95 % interval, scenes resampled"},
-        [](const S& s) { return low_of(s.range); });
-    f.add_derived({name + "_hi", "0..1", "upper end"}, [](const S& s) { return high_of(s.range); });
+    add_ends(f.part(&S::range),
+             {name + "_lo", "0..1", "lower end of its nominal 95 % interval, scenes resampled"},
+             {name + "_hi", "0..1", "upper end"});
     f.add_derived({error + "_scene", "", "the scene with most of its error"}, &S::error_scene);
     f.add_derived({error + "_scene_share", "0..1", "of its error, that of that scene"},
                   &S::error_scene_share);
@@ -95,7 +86,7 @@ void add_f(const core::PartOf<const FSummary>& f,
                   &S::mean_of_kinds);
 }
 
-void add_scores(const core::PartOf<const MethodSummary>& summary, bool has_soft_f) {
+void add_scores(const core::PartOf<MethodSummary>& summary, bool has_soft_f) {
     using S = MethodSummary;
     add_f(summary.part(&S::f),
           {"f_2px", "0..1", "F within 2 px of the counts of all views"},
@@ -117,7 +108,7 @@ void add_scores(const core::PartOf<const MethodSummary>& summary, bool has_soft_
 SummaryTable make_table(bool has_soft_f) {
     using S = MethodSummary;
     SummaryTable table("summary.csv", "A line per method, over all cells of study `compare`.");
-    const auto summary = table.part([](auto& line) -> auto& { return line.summary; });
+    const auto summary = table.part(&Line::summary);
     summary.add_derived({"method", "", "as in rows.csv"}, &S::method);
     summary.add_derived({"kind", "", "method or baseline"},
                         [](const S& s) { return s.is_baseline ? "baseline" : "method"; });
@@ -140,10 +131,9 @@ SummaryTable make_table(bool has_soft_f) {
     summary.add_derived({"failed", "", "cells without a score"}, &S::failed);
     add_scores(summary, has_soft_f);
     summary.add_derived({"draw_ms", "ms", "median over views of draw_ns", true}, &S::draw_ms);
-    summary.add_derived({"draw_ms_lo", "ms", "lower quartile", true},
-                        [](const S& s) { return low_of(s.draw_ms_quartiles); });
-    summary.add_derived({"draw_ms_hi", "ms", "upper quartile", true},
-                        [](const S& s) { return high_of(s.draw_ms_quartiles); });
+    add_ends(summary.part(&S::draw_ms_quartiles),
+             {"draw_ms_lo", "ms", "lower quartile", true},
+             {"draw_ms_hi", "ms", "upper quartile", true});
     summary.add_derived({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
                         &S::bytes_per_px);
     add_recalls(table);
