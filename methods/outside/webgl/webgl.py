@@ -18,6 +18,7 @@ sys.path.insert(0, str(HERE.parent))
 import browser  # noqa: E402
 from entrant import Absent, Failed, find_program, run_adapter  # noqa: E402
 
+ADAPTER = Path(sys.argv[0]).name
 # Mesa's llvmpipe snaps vertices to 1/256 px, as GPUs do and the testbed does; SwiftShader, which Chromium
 # brings along, snaps them to 1/16 px.
 MESA_GL = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
@@ -32,22 +33,20 @@ def find_inkbench():
     raise Absent(f"inkbench is not built in {built.parent}, and INKBENCH names no other")
 
 
-def draw(method, view, is_mask, width_px=1):
-    """The lines of a method at a view, and the milliseconds of a frame by the page's clock. Ink is so wide."""
-    chromium = find_program("chromium", f"webgl_{method}")
+def draw(view, is_mask):
+    """The lines of the method at a view, and the milliseconds of a frame by the page's clock."""
+    chromium = find_program("chromium", ADAPTER)
     inkbench = find_inkbench()
-    switches = browser.SOFTWARE_GL if os.environ.get("INKBENCH_WEBGL") == "swiftshader" else MESA_GL
     with tempfile.TemporaryDirectory(prefix="inkbench-webgl-") as folder:
         made = Path(folder) / "page.html"
         done = subprocess.run([inkbench, "page", str(view.file("glb")), "-o", str(made)],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise Failed(f"inkbench page: {done.stderr.strip()[:180]}")
-        address = f"adapter/draw.html?method={'' if is_mask else method}&width={width_px}"
+        address = f"adapter/draw.html?method={'' if is_mask else ADAPTER.removeprefix('webgl_')}"
         page = (address, {"adapter": HERE}, {"made/page.html": made})
-        return browser.drawn_by_page("the page", chromium, page, view, switches)
+        return browser.drawn_by_page("the page", chromium, page, view, MESA_GL)
 
 
 if __name__ == "__main__":
-    name = Path(sys.argv[0]).name.removeprefix("webgl_")
-    run_adapter(lambda view, is_mask: draw(name, view, is_mask))
+    run_adapter(draw)
