@@ -24,13 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Worked out anew only where the run has no tables of it, or those of another version.
 summary::Comparison comparison_of(const RunData& run) {
     if (run.tables.rows.empty()) return {};
-    if (run.record.one_place) {
-        auto read = summary::read_comparison(run.tables.rows, run.record.answer, run.csv);
-        if (read) return *std::move(read);
-    }
     RunTables kept;
     kept.rows = run.tables.rows;
     keep_one_place(kept);

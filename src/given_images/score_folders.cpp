@@ -118,7 +118,7 @@ std::vector<std::string> files_without_truth(const fs::path& predictions, const 
 score::CurveCount pooled(const std::vector<FolderScore>& scores) {
     score::CurveCount total;
     for (const FolderScore& each : scores) {
-        if (each.score) total += {each.score->k, each.score->n_pred, each.score->n_truth};
+        if (each.score) total += *each.score;
     }
     return total;
 }

@@ -16,59 +16,42 @@ namespace fs = std::filesystem;
 
 constexpr const char* kAcceptedExr = "an OpenEXR file";
 
-struct Size {
+/// A channel's pixels as they lie in memory, and the type that a file has them in.
+struct Held {
+    const void* data = nullptr;
     int width_px = 0;
     int height_px = 0;
-    friend bool operator==(const Size&, const Size&) = default;
+    OIIO::TypeDesc type;
+    OIIO::TypeDesc type_in_file;
+
+    [[nodiscard]] bool is_empty() const { return width_px == 0 || height_px == 0; }
 };
 
-Size size_of(const ExrChannel& channel) {
-    return std::visit(
-        [](const auto& held) -> Size {
-            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, HalfImage>) {
-                return {held.pixels.width_px(), held.pixels.height_px()};
-            } else {
-                return {held.width_px(), held.height_px()};
-            }
-        },
-        channel.pixels);
+template <class T>
+Held held_of(const core::Image<T>& image, OIIO::TypeDesc type, OIIO::TypeDesc type_in_file) {
+    return {image.data(), image.width_px(), image.height_px(), type, type_in_file};
 }
 
-OIIO::TypeDesc type_of(const ExrChannel& channel) {
-    constexpr OIIO::TypeDesc::BASETYPE kTypes[] = {
-        OIIO::TypeDesc::UINT32, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::HALF};
-    return kTypes[channel.pixels.index()];
-}
-
-/// The bytes that a file holds of a channel, dense.
-std::vector<std::uint8_t> bytes_of(const ExrChannel& channel) {
-    const auto [width_px, height_px] = size_of(channel);
-    const std::size_t count = static_cast<std::size_t>(width_px) * height_px;
-    const OIIO::TypeDesc type = type_of(channel);
-    std::vector<std::uint8_t> bytes(count * type.size());
-    if (const auto* half = std::get_if<HalfImage>(&channel.pixels)) {
-        OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT,
-                                   half->pixels.data(),
-                                   type,
-                                   bytes.data(),
-                                   static_cast<int>(count));
-    } else if (const auto* whole = std::get_if<core::Image<std::uint32_t>>(&channel.pixels)) {
-        std::memcpy(bytes.data(), whole->data(), bytes.size());
-    } else {
-        std::memcpy(
-            bytes.data(), std::get<core::Image<float>>(channel.pixels).data(), bytes.size());
-    }
-    return bytes;
+Held held_of(const ExrChannel& channel) {
+    using OIIO::TypeDesc;
+    if (const auto* half = std::get_if<HalfImage>(&channel.pixels))
+        return held_of(half->pixels, TypeDesc::FLOAT, TypeDesc::HALF);
+    if (const auto* whole = std::get_if<core::Image<std::uint32_t>>(&channel.pixels))
+        return held_of(*whole, TypeDesc::UINT32, TypeDesc::UINT32);
+    const auto& image = std::get<core::Image<float>>(channel.pixels);
+    return held_of(image, TypeDesc::FLOAT, TypeDesc::FLOAT);
 }
 
 OIIO::ImageSpec spec_of(const ExrFile& file) {
-    const auto [width_px, height_px] = size_of(file.channels.front());
-    OIIO::ImageSpec spec(
-        width_px, height_px, static_cast<int>(file.channels.size()), OIIO::TypeDesc::FLOAT);
+    const Held first = held_of(file.channels.front());
+    OIIO::ImageSpec spec(first.width_px,
+                         first.height_px,
+                         static_cast<int>(file.channels.size()),
+                         OIIO::TypeDesc::FLOAT);
     spec.channelnames.clear();
     for (const ExrChannel& channel : file.channels) {
         spec.channelnames.push_back(channel.name);
-        spec.channelformats.push_back(type_of(channel));
+        spec.channelformats.push_back(held_of(channel).type_in_file);
     }
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "");  // else it is the clock's, and no file is the same twice
@@ -93,11 +76,24 @@ std::vector<std::uint8_t> interleave(const ExrFile& file, const OIIO::ImageSpec&
     std::vector<std::uint8_t> all(pixels * pixel_bytes);
     std::size_t offset = 0;
     for (const ExrChannel& channel : file.channels) {
-        const std::vector<std::uint8_t> own = bytes_of(channel);
-        const std::size_t bytes = type_of(channel).size();
-        for (std::size_t i = 0; i < pixels; ++i)
-            std::memcpy(all.data() + i * pixel_bytes + offset, own.data() + i * bytes, bytes);
-        offset += bytes;
+        const Held held = held_of(channel);
+        const auto from = static_cast<OIIO::stride_t>(held.type.size());
+        const auto to = static_cast<OIIO::stride_t>(pixel_bytes);
+        OIIO::convert_image(1,
+                            held.width_px,
+                            held.height_px,
+                            1,
+                            held.data,
+                            held.type,
+                            from,
+                            from * held.width_px,
+                            OIIO::AutoStride,
+                            all.data() + offset,
+                            held.type_in_file,
+                            to,
+                            to * held.width_px,
+                            OIIO::AutoStride);
+        offset += held.type_in_file.size();
     }
     return all;
 }
@@ -105,7 +101,9 @@ std::vector<std::uint8_t> interleave(const ExrFile& file, const OIIO::ImageSpec&
 [[maybe_unused]] bool is_well_formed(const ExrFile& file) {
     std::set<std::string> names;
     return std::ranges::all_of(file.channels, [&](const ExrChannel& c) {
-        return size_of(c) == size_of(file.channels.front()) && names.insert(c.name).second;
+        const Held held = held_of(c), first = held_of(file.channels.front());
+        return held.width_px == first.width_px && held.height_px == first.height_px &&
+               names.insert(c.name).second;
     });
 }
 
@@ -152,8 +150,7 @@ std::vector<ExrAttribute> attributes_of(const OIIO::ImageSpec& spec) {
 }  // namespace
 
 void write_exr(const ExrFile& file, const fs::path& path) {
-    if (file.channels.empty() || size_of(file.channels.front()).width_px == 0 ||
-        size_of(file.channels.front()).height_px == 0) {
+    if (file.channels.empty() || held_of(file.channels.front()).is_empty()) {
         throw core::Error(path.string(), "the image is empty", "a channel of at least 1 x 1 px");
     }
     assert(is_well_formed(file));

@@ -123,14 +123,6 @@ WrongPixels wrong_pixels(const Strokes& strokes,
     return wrong;
 }
 
-WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
-                         const ScoringTruth& truth,
-                         const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(prediction, truth, options);
-    const Strokes strokes = make_strokes(prediction, options.threshold, options);
-    return wrong_pixels(strokes, counted_pixels(strokes.thinned, lists), lists, options);
-}
-
 std::string_view name(Cause cause) {
     return core::vocabulary().causes[static_cast<std::size_t>(cause)].name;
 }

@@ -35,15 +35,8 @@ struct WrongPixels {
     edge::Mask drawn;  ///< 1 where something was drawn, not yet thinned; band taken out
 };
 
-/// Which pixels score() calls false positives and false negatives.
-///
-/// Throws core::Error for another size or options outside their range. Empty images have none.
-[[nodiscard]] WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
-                                       const ScoringTruth& truth,
-                                       const ScoreOptions& options);
-
-/// The same where truth and drawing are at hand as lists: `drawn` is what counts of the strokes,
-/// with these options.
+/// Which pixels score() calls false positives and false negatives: `drawn` is what counts of the
+/// strokes, with these options. Empty images have none.
 [[nodiscard]] WrongPixels wrong_pixels(const Strokes& strokes,
                                        const PixelList& drawn,
                                        const TruthLists& lists,

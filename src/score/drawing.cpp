@@ -1,10 +1,7 @@
 #include "score/drawing.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "core/error.h"
 #include "edge/thin.h"
 #include "score/matching.h"
 #include "score/reach.h"
@@ -29,24 +26,7 @@ std::vector<ClassPixels> classes_of(const PixelList& all, const ScoringTruth& tr
     return classes;
 }
 
-/// Of anything that has a width and a height.
-template <class Drawn, class Truth>
-void check_sizes(const Drawn& drawn, const Truth& truth) {
-    if (drawn.width_px() == truth.width_px() && drawn.height_px() == truth.height_px()) return;
-    throw core::Error("score",
-                      fmt::format("the prediction is {} x {} px and the truth {} x {} px",
-                                  drawn.width_px(),
-                                  drawn.height_px(),
-                                  truth.width_px(),
-                                  truth.height_px()),
-                      "two pictures of one size");
-}
-
 }  // namespace
-
-void check_same_size(const edge::EdgeImage& prediction, const core::Image<std::uint8_t>& truth) {
-    check_sizes(prediction, truth);
-}
 
 void clear_band(core::Image<std::uint8_t>& image, int band_px) {
     const int width = image.width_px();
@@ -89,7 +69,7 @@ TruthLists checked_lists(const edge::EdgeImage& prediction,
 }
 
 PixelList counted_pixels(edge::BitMask drawn, const TruthLists& lists) {
-    check_sizes(drawn, lists.countable);
+    check_same_size(drawn, lists.countable);
     for (std::size_t i = 0; i < drawn.words().size(); ++i)
         drawn.words()[i] &= lists.countable.words()[i];
     return {drawn, 0};

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "core/error.h"
 #include "edge/bit_mask.h"
 #include "edge/edge_image.h"
 #include "score/pixel_list.h"
@@ -77,6 +80,16 @@ struct TruthLists {
 void clear_band(core::Image<std::uint8_t>& image, int band_px);
 
 /// Throws core::Error, which names both sizes, if the two pictures differ in size.
-void check_same_size(const edge::EdgeImage& prediction, const core::Image<std::uint8_t>& truth);
+template <class Drawn, class Truth>
+void check_same_size(const Drawn& drawn, const Truth& truth) {
+    if (drawn.width_px() == truth.width_px() && drawn.height_px() == truth.height_px()) return;
+    throw core::Error("score",
+                      fmt::format("the prediction is {} x {} px and the truth {} x {} px",
+                                  drawn.width_px(),
+                                  drawn.height_px(),
+                                  truth.width_px(),
+                                  truth.height_px()),
+                      "two pictures of one size");
+}
 
 }  // namespace ink::score

@@ -72,10 +72,6 @@ std::vector<ClassCount> match_classes(const PixelList& drawn, const TruthLists& 
 
 }  // namespace
 
-double Score::f() const {
-    return CurveCount{k, n_pred, n_truth}.f();
-}
-
 std::optional<double> Score::f_of_truth() const {
     if (n_truth == 0) return std::nullopt;
     return f();

@@ -31,14 +31,24 @@ struct ClassCount {
     std::int64_t n_truth = 0;
 };
 
+/// Matches, drawn and true pixels of one image at one threshold and tolerance, or their sums over
+/// images: counts add up where F does not.
+struct CurveCount {
+    std::int64_t k = 0;  ///< size of a maximum one-to-one matching
+    std::int64_t n_pred = 0;
+    std::int64_t n_truth = 0;
+
+    CurveCount& operator+=(const CurveCount& other);
+    /// 2k / (n_pred + n_truth); 1 if both are empty.
+    [[nodiscard]] double f() const;
+    [[nodiscard]] bool operator==(const CurveCount&) const = default;
+};
+
 /// The counts of one comparison; every number is unique, whatever algorithm found it.
 ///
 /// n_pred = k + unmatched_duplicates + false_positives and n_truth = k + unmatched_truth +
 /// false_negatives.
-struct Score {
-    std::int64_t k = 0;  ///< size of a maximum one-to-one matching
-    std::int64_t n_pred = 0;
-    std::int64_t n_truth = 0;
+struct Score : CurveCount {
     std::int64_t unmatched_duplicates =
         0;  ///< unmatched predicted pixels that have a truth pixel in reach
     std::int64_t false_positives = 0;  ///< predicted pixels without a truth pixel in reach
@@ -50,27 +60,12 @@ struct Score {
     std::vector<ClassCount>
         classes;  ///< one per label in the truth, ascending; empty if it is binary
 
-    /// 2k / (n_pred + n_truth); 1 if both are empty.
-    [[nodiscard]] double f() const;
-    /// The same as a result for people and tables: nothing if there is no truth.
+    /// F as a result for people and tables: nothing if there is no truth.
     [[nodiscard]] std::optional<double> f_of_truth() const;
     /// k / n_pred; nothing if no pixel is predicted.
     [[nodiscard]] std::optional<double> precision() const;
     /// k / n_truth; nothing if there is no truth.
     [[nodiscard]] std::optional<double> recall() const;
-};
-
-/// Matches, drawn and true pixels of one image at one threshold and tolerance, or their sums over
-/// images: counts add up where F does not.
-struct CurveCount {
-    std::int64_t k = 0;
-    std::int64_t n_pred = 0;
-    std::int64_t n_truth = 0;
-
-    CurveCount& operator+=(const CurveCount& other);
-    /// 2k / (n_pred + n_truth); 1 if both are empty.
-    [[nodiscard]] double f() const;
-    [[nodiscard]] bool operator==(const CurveCount&) const = default;
 };
 
 /// A truth image made ready to be scored against: labels 0 where nothing counts.

@@ -1,14 +1,11 @@
 #include "score/soft_score.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <vector>
 
-#include "core/error.h"
 #include "score/drawing.h"
 #include "score/pixel_list.h"
 #include "score/reach.h"
@@ -108,15 +105,7 @@ SoftScore score_ink(const core::Image<float>& drawn,
                     const ScoreOptions& options) {
     const int width = truth.coverage.width_px();
     const int height = truth.coverage.height_px();
-    if (drawn.width_px() != width || drawn.height_px() != height) {
-        throw core::Error("ink",
-                          fmt::format("the image is {} x {} px, but the truth {} x {}",
-                                      drawn.width_px(),
-                                      drawn.height_px(),
-                                      width,
-                                      height),
-                          "images of one size");
-    }
+    check_same_size(drawn, truth.coverage);
     SoftScore score{.line_width_px = truth.line_width_px};
     std::vector<Excess> excess;
     core::Image<double> lack(width, height);

@@ -31,12 +31,6 @@ struct Comparison {
 [[nodiscard]] Comparison compare_methods(const std::vector<harness::Row>& rows,
                                          const AnswerRule& rule = {});
 
-/// The same, with what is resampled read back from the tables of these rows and this rule;
-/// nothing if one is not there, or other columns say that another version wrote it.
-[[nodiscard]] std::optional<Comparison> read_comparison(
-    const std::vector<harness::Row>& rows,
-    const AnswerRule& rule,
-    const std::map<std::string, core::CsvTable>& tables);
 /// summary.csv, differences.csv and what else its methods have, by name: `rows` are its rows.
 [[nodiscard]] std::map<std::string, std::string> comparison_tables(
     const std::vector<harness::Row>& rows, const Comparison& comparison);

@@ -235,10 +235,6 @@ std::string differences_csv(const std::vector<PairedDifference>& differences) {
     return columns().file(differences);
 }
 
-std::vector<PairedDifference> read_differences(const core::CsvTable& table) {
-    return columns().read(table);
-}
-
 std::string format_paired_difference(const PairedDifference& paired, bool has_zeros) {
     const auto& range = paired.range;
     if (!range) return format_signed(paired.difference, kDigits, has_zeros);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/tables/csv_table.h"
 #include "core/tables/table.h"
 #include "harness/rows/row.h"
 #include "score/score.h"
@@ -74,7 +73,6 @@ struct PairedDifference {
 [[nodiscard]] const core::TableInfo& differences_table();
 [[nodiscard]] core::TableInfo soft_differences_table();
 [[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
-[[nodiscard]] std::vector<PairedDifference> read_differences(const core::CsvTable& table);
 
 /// "+.012 [+.002, +.021]", the interval of the pair by itself; the difference alone
 /// where there is none. `has_zeros`: "+0.012 [+0.002, +0.021]".

@@ -3,6 +3,7 @@
 #include "catalogue/catalogue.h"
 #include "harness/cells/cell.h"
 #include "harness/scores/miss_prediction.h"
+#include "harness/truths/view_lists.h"
 #include "methods/registry.h"
 #include "tests/catalogue_names.h"
 
@@ -37,10 +38,7 @@ class SmallScene {
             std::vector<edge::EdgeImage> images;
             (void)draw_in_turns(methods, view, {1, 0, 0, 0}, images);
             const int threshold = methods[0]->threshold();
-            const score::ScoreOptions options = score_options(threshold);
-            Scored scored;
-            scored.at_2px = score::score(images[0], truths_[i].scoring, options);
-            scored.wrong_2px = score::wrong_pixels(images[0], truths_[i].scoring, options);
+            Scored scored = score_image(images[0], list_tolerances(truths_[i].scoring), threshold);
             scored.attribution = predictor_.attribute(
                 scored.wrong_2px, truths_[i], view, {methods[0]->method().code(), threshold});
             visit(truths_[i], scored);

@@ -10,7 +10,7 @@
 namespace ink::harness {
 namespace {
 
-/// Three rows, the first two of which have line scores.
+/// Three rows, the first two of which have a score.
 std::vector<RowRecord> three_rows() {
     std::vector<RowRecord> rows(3);
     for (std::size_t i = 0; i < 3; ++i) {

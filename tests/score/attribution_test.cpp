@@ -224,11 +224,17 @@ TEST(Cause, TheTwoListsAreAllOfThem) {
     EXPECT_EQ(kCauseCount, 11U);
 }
 
+WrongPixels wrong_of(const Image& drawn, const ScoringTruth& truth, const ScoreOptions& options) {
+    const Strokes strokes = make_strokes(drawn, options.threshold, options);
+    const TruthLists lists = list_truth(truth, options);
+    return wrong_pixels(strokes, counted_pixels(strokes.thinned, lists), lists, options);
+}
+
 TEST(WrongPixels, AreThoseOutOfReach) {
     const Image labels = image_of({"1....", ".....", ".....", "....1"});
     const Image drawn = image_of({".#...", ".....", "#....", "....."});
     const ScoreOptions options{.tolerance_px = 1};
-    const WrongPixels wrong = wrong_pixels(drawn, prepare_truth(labels, options, false), options);
+    const WrongPixels wrong = wrong_of(drawn, prepare_truth(labels, options, false), options);
     EXPECT_THAT(wrong.false_positives, ElementsAre(Pixel{0, 2}));
     EXPECT_THAT(wrong.false_negatives, ElementsAre(Pixel{4, 3}));
     EXPECT_EQ(wrong.drawn, image_of({".1...", ".....", "1....", "....."}));
@@ -238,7 +244,7 @@ TEST(WrongPixels, TheBandIsOutOfAllThree) {
     const Image labels = image_of({"1....", ".....", ".....", ".....", "....1"});
     const Image drawn = image_of({".....", "#....", ".....", "...#.", "....."});
     const ScoreOptions options{.tolerance_px = 1, .band_px = 1};
-    const WrongPixels wrong = wrong_pixels(drawn, prepare_truth(labels, options, false), options);
+    const WrongPixels wrong = wrong_of(drawn, prepare_truth(labels, options, false), options);
     EXPECT_THAT(wrong.false_positives, ElementsAre(Pixel{3, 3}));
     EXPECT_THAT(wrong.false_negatives, IsEmpty());
     EXPECT_EQ(wrong.drawn, image_of({".....", ".....", ".....", "...1.", "....."}));
@@ -254,7 +260,7 @@ TEST(WrongPixels, AreAsManyAsTheScoreCounts) {
             .tolerance_px = 1.5, .threshold = 100, .band_px = i % 3, .ignore_label = 7};
         const ScoringTruth truth = prepare_truth(labels, options, i % 2 == 0);
         const Score counted = score(drawn, truth, options);
-        const WrongPixels wrong = wrong_pixels(drawn, truth, options);
+        const WrongPixels wrong = wrong_of(drawn, truth, options);
         ASSERT_EQ(static_cast<std::int64_t>(wrong.false_positives.size()), counted.false_positives);
         ASSERT_EQ(static_cast<std::int64_t>(wrong.false_negatives.size()), counted.false_negatives);
         all += counted.false_positives + counted.false_negatives;

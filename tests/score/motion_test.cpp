@@ -1,4 +1,4 @@
-// Made-up sequences whose scores are known, then faults planted in a perfect one.
+// Made-up sequences whose scores are known.
 
 #include "score/motion.h"
 
@@ -242,65 +242,6 @@ TEST(FalseLines, LivesAreCountedAndHaveAMedian) {
     EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).subspan(3))), 5.0);
     EXPECT_EQ(score::median_life({}), std::nullopt);
     EXPECT_TRUE(score::life_counts({}).empty());
-}
-
-/// Faults planted in twelve perfect frames of two lines that drift slowly, and what sees them.
-class MotionMutation : public testing::Test {
-  protected:
-    static constexpr int kFrames = 12;
-
-    MotionMutation() {
-        for (int t = 0; t < kFrames; ++t) {
-            const Image truth = lines_at({8 + t / 4, 25});
-            sequence_.truth.push_back(truth);
-            sequence_.drawn.push_back(truth);
-        }
-    }
-    [[nodiscard]] Image& drawn(int t) { return sequence_.drawn[static_cast<std::size_t>(t)]; }
-
-    Sequence sequence_;
-};
-
-TEST_F(MotionMutation, NoneScoresPerfect) {
-    EXPECT_EQ(sequence_.flicker().share(), 0.0);
-    EXPECT_TRUE(sequence_.false_lines().empty());
-}
-
-TEST_F(MotionMutation, ALineMissingFromOneFrameFlickers) {
-    drawn(5) = lines_at({25});
-    const Flicker flicker = sequence_.flicker();
-    EXPECT_EQ(flicker.appeared, kSize_px);
-    EXPECT_EQ(flicker.disappeared, kSize_px);
-    EXPECT_TRUE(sequence_.false_lines().empty());
-}
-
-TEST_F(MotionMutation, ASpeckInOneFrameFlickersAndLivesOneFrame) {
-    drawn(5).at(35, 20) = 1;
-    EXPECT_EQ(sequence_.flicker().appeared, 1);
-    EXPECT_EQ(sequence_.flicker().disappeared, 1);
-    EXPECT_EQ(score::life_counts(sequence_.false_lines()), std::vector<std::int64_t>{1});
-}
-
-TEST_F(MotionMutation, AFalseLineThatStaysDoesNotFlickerAndLivesLong) {
-    for (int t = 0; t < kFrames; ++t)
-        drawn(t) = lines_at({8 + t / 4, 25, 34});
-    EXPECT_EQ(sequence_.flicker().share(), 0.0);
-    EXPECT_EQ(score::median_life(score::life_counts(sequence_.false_lines())), kFrames);
-}
-
-TEST_F(MotionMutation, AJitterOfAPixelIsNeither) {
-    for (int t = 0; t < kFrames; ++t)
-        drawn(t) = lines_at({8 + t / 4 + t % 2, 25 - t % 2});
-    EXPECT_EQ(sequence_.flicker().share(), 0.0);
-    EXPECT_TRUE(sequence_.false_lines().empty());
-}
-
-TEST_F(MotionMutation, AHoleOfFivePixelsIsTheFirstThatFlickers) {
-    for (int y = 10; y < 14; ++y)
-        drawn(5).at(25, y) = 0;
-    EXPECT_EQ(sequence_.flicker().disappeared, 0);
-    drawn(5).at(25, 14) = 0;
-    EXPECT_EQ(sequence_.flicker().disappeared, 1);
 }
 
 /// What time does to a sequence must not depend on its direction.

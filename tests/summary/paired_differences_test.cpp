@@ -102,40 +102,6 @@ TEST(AllPairedDifferences, OfAPairTurnedRoundIsTheOpposite) {
     EXPECT_NEAR(differences[0].range->low, -differences[2].range->high, 1e-12);
 }
 
-/// Twelve methods that are alike but for chance, and one that is better, on twenty scenes.
-std::vector<harness::Row> rows_of_chance(unsigned seed) {
-    std::vector<harness::Row> rows;
-    std::mt19937 random(seed);
-    for (int scene = 0; scene < 20; ++scene) {
-        for (int method = 0; method < 12; ++method) {
-            const int chance = static_cast<int>(random() % 11);
-            rows.push_back(
-                row_of("m" + std::to_string(method), std::to_string(scene), 60 + chance));
-        }
-        rows.push_back(row_of("good", std::to_string(scene), 90 + scene % 3));
-    }
-    return rows;
-}
-
-TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
-    constexpr int kExperiments = 5;
-    int led_alone = 0, led_together = 0;  // experiments in which a lead is seen where there is none
-    for (unsigned seed = 1; seed <= kExperiments; ++seed) {
-        bool is_led_alone = false, is_led_together = false;
-        for (const PairedDifference& paired : compare_methods(rows_of_chance(seed)).differences) {
-            ASSERT_TRUE(paired.range && paired.range_of_all);
-            EXPECT_TRUE(paired.a != "good" || paired.is_significant());
-            if (paired.a == "good" || paired.b == "good") continue;
-            is_led_alone = is_led_alone || paired.range->low > 0;
-            is_led_together = is_led_together || paired.is_significant();
-        }
-        led_alone += is_led_alone ? 1 : 0;
-        led_together += is_led_together ? 1 : 0;
-    }
-    EXPECT_GE(led_alone, 3) << "chance is to give some";
-    EXPECT_LE(led_together, 1);
-}
-
 TEST(AllPairedDifferences, SayOnHowManyScenesEitherIsBetter) {
     const auto moody = paired_difference_of(twelve_scenes(), "moody", "even");
     ASSERT_TRUE(moody);

@@ -170,35 +170,6 @@ std::vector<harness::Row> seven_scenes() {
     return rows;
 }
 
-std::map<std::string, core::CsvTable> split_tables(
-    const std::map<std::string, std::string>& texts) {
-    std::map<std::string, core::CsvTable> tables;
-    for (const auto& [name, text] : texts)
-        tables[name] = core::split_csv(text, name);
-    return tables;
-}
-
-TEST(Comparison, IsReadBackFromItsTablesToTheLastDigit) {
-    std::vector<harness::Row> rows = seven_scenes();
-    for (const bool has_ink : {false, true}) {
-        for (harness::Row& row : rows)
-            if (has_ink) row.soft = {1.5, 0.1 * static_cast<double>(row.k_2px), 3, 0.7, 0};
-        const Comparison made = compare_methods(rows, {.f_margin = 0.02});
-        const auto texts = comparison_tables(rows, made);
-        auto tables = split_tables(texts);
-        const auto read = read_comparison(rows, made.rule, tables);
-        ASSERT_TRUE(read);
-        EXPECT_EQ(read->shares, made.shares);
-        EXPECT_EQ(comparison_tables(rows, *read), texts);
-        EXPECT_EQ(read->differences.front().range_of_all->low,
-                  made.differences.front().range_of_all->low);
-        tables.rbegin()->second.columns.pop_back();
-        EXPECT_FALSE(read_comparison(rows, made.rule, tables));
-        tables.erase("differences.csv");
-        EXPECT_FALSE(read_comparison(rows, made.rule, tables));
-    }
-}
-
 TEST(Comparison, OfInkIsByTheSameRuleOverItsCounts) {
     std::vector<harness::Row> rows = seven_scenes();
     const Comparison plain = compare_methods(rows);

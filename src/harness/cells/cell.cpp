@@ -51,8 +51,7 @@ Scored score_image(const edge::EdgeImage& image,
         scored.at_2px = score::score_lists(scored.strokes, drawn, lists[i]);
         scored.wrong_2px = score::wrong_pixels(scored.strokes, drawn, lists[i], options);
         scored.curve = score::score_curve_lists(image, lists[i], options);
-        scored.tolerance_sweep.push_back(
-            {scored.at_2px.k, scored.at_2px.n_pred, scored.at_2px.n_truth});
+        scored.tolerance_sweep.push_back(scored.at_2px);
         scored.drawn = std::move(drawn);
     }
     return scored;

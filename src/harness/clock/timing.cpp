@@ -10,7 +10,8 @@ namespace {
 /// From here on a time is in doubt: half as much again.
 constexpr double kDoubtful = 1.5;
 
-/// Nearest rank, so that a quantile is always a time that was measured.
+/// Nearest rank, so that a quantile is always a time that was measured. The lower quartile stays
+/// where it is while a load beside delays up to three drawings of four.
 std::int64_t quantile(std::vector<std::int64_t>& times_ns, double q) {
     assert(!times_ns.empty());
     std::sort(times_ns.begin(), times_ns.end());
@@ -39,10 +40,6 @@ std::string doubt_of(const DrawTimes& times, const Row& row) {
 }
 
 }  // namespace
-
-std::int64_t lower_quartile(std::vector<std::int64_t> times_ns) {
-    return quantile(times_ns, 0.25);
-}
 
 double lower_spread(std::vector<std::int64_t> times_ns) {
     const auto median = static_cast<double>(quantile(times_ns, 0.5));
@@ -75,8 +72,10 @@ void fill_times(const DrawTimes& times, Row& row) {
     row.draw_ns_min = draws_ns.front();
     if (times.yardstick_ns > 0) row.yardstick_ns = times.yardstick_ns;
     if (times.clock == kOwnClock) return;
-    row.draw_wall_ns = lower_quartile(only(times.draws, &core::Spent::wall_ns));
-    row.draw_cpu_ns = lower_quartile(only(times.draws, &core::Spent::cpu_ns));
+    std::vector<std::int64_t> wall_ns = only(times.draws, &core::Spent::wall_ns);
+    std::vector<std::int64_t> cpu_ns = only(times.draws, &core::Spent::cpu_ns);
+    row.draw_wall_ns = quantile(wall_ns, 0.25);
+    row.draw_cpu_ns = quantile(cpu_ns, 0.25);
     row.time_doubt = doubt_of(times, row);
 }
 

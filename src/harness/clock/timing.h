@@ -36,10 +36,6 @@ std::int64_t time_ns(Work work, int threads = 1) {
     return threads == 1 ? spent.cpu_ns : spent.wall_ns;
 }
 
-/// The lower quartile, nearest rank: a time that was measured. It stays where it is while a load
-/// beside delays up to three drawings of four. `times_ns` may not be empty.
-[[nodiscard]] std::int64_t lower_quartile(std::vector<std::int64_t> times_ns);
-
 /// How far the median lies above the least, as a share of that: the spread of the lower half, in
 /// which nothing counts that is slow by chance. `times_ns` may not be empty.
 [[nodiscard]] double lower_spread(std::vector<std::int64_t> times_ns);

@@ -65,9 +65,8 @@ void fill_intersections(const score::Strokes& strokes,
                         const ViewTruth& truth,
                         const ViewLists& lists,
                         Row& row) {
-    const score::CurveCount chosen{at_2px.k, at_2px.n_pred, at_2px.n_truth};
-    row.above_crease_2px = chosen;
-    row.all_intersections_2px = chosen;
+    row.above_crease_2px = at_2px;
+    row.all_intersections_2px = at_2px;
     if (!lists.other) {
         copy_intersections(row);
         return;

@@ -122,12 +122,11 @@ truth::LineClass first_of(truth::LineClass a, truth::LineClass b) {
 /// Calls `hold(i, part)` for each i, on many threads, and adds up the parts in order.
 template <class Hold>
 void hold_all(std::size_t count, int threads, Agreement& result, const Hold& hold) {
-    std::vector<Agreement> parts((count + kChunk - 1) / kChunk);
-    core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i)
-            hold(i, parts[chunk]);
-    });
+    const auto parts = core::parallel_parts<Agreement>(
+        count, kChunk, threads, [&](std::size_t begin, std::size_t end, Agreement& part) {
+            for (std::size_t i = begin; i < end; ++i)
+                hold(i, part);
+        });
     for (const Agreement& part : parts) {
         for (std::size_t c = 0; c < result.by_class.size(); ++c)
             result.by_class[c] += part.by_class[c];

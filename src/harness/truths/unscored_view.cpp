@@ -37,7 +37,7 @@ void fill_crowded(const score::Strokes& strokes,
                   const ViewTruth& truth,
                   const ViewLists& lists,
                   Row& row) {
-    row.with_crowded_2px = score::CurveCount{at_2px.k, at_2px.n_pred, at_2px.n_truth};
+    row.with_crowded_2px = at_2px;
     if (!lists.with_crowded) return;
     const score::Strokes all = strokes_against(*truth.with_crowded, strokes, row.method);
     row.with_crowded_2px = score::match_counts(
