@@ -137,7 +137,7 @@ class LabelPlane : public buffers::SurfaceMethod<LabelPass> {
         buffers::FrameCodes codes(1, {width_px, height_px, std::uint16_t{0}});
         edge::EdgeImage edge_responses(width_px, height_px);
         if (!pass().is_empty()) (void)draw_to(frame, edge_responses, &codes);
-        return {{"packed", buffers::code_image(codes, packer_.layout()), "", std::move(codes)},
+        return {{"packed", buffers::code_image(codes, packer_.layout()), std::move(codes)},
                 {"filtered", buffers::response_image(edge_responses, params_.threshold)}};
     }
 

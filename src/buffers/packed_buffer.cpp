@@ -136,7 +136,7 @@ std::vector<method::Layer> PackedBuffer::layers(const method::Frame& frame) {
     FrameCodes codes(planes, {width_px, height_px, static_cast<std::uint16_t>(params_.sky)});
     edge::EdgeImage edge_responses(width_px, height_px);
     if (!pass().is_empty()) (void)draw_buffer(frame, edge_responses, &codes);
-    return {{"packed", code_image(codes, packer_.layout()), "", std::move(codes)},
+    return {{"packed", code_image(codes, packer_.layout()), std::move(codes)},
             {"filtered", response_image(edge_responses, params_.threshold)}};
 }
 

@@ -9,6 +9,9 @@
 namespace ink::shade {
 namespace {
 
+/// Ranks 0..15 of a 4x4 square (Bayer 1973): the order in which its pixels are raised.
+constexpr int kBayer4[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
 /// A row of the disc: pixels [x0, x1) beside the one that is widened.
 struct DiscRow {
     int y = 0;
@@ -87,8 +90,7 @@ core::Image<Rgb> dither(core::Image<Rgb> image, DitherFormat format) {
     for (int y = 0; y < image.height_px(); ++y) {
         Rgb* row = image.row(y);
         for (int x = 0; x < image.width_px(); ++x) {
-            const int rank =
-                kBayer4[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 3)];
+            const int rank = kBayer4[y & 3][x & 3];
             for (int c = 0; c < 3; ++c) {
                 const int steps = top[static_cast<std::size_t>(c)];
                 const int scaled = row[x][c] * steps;

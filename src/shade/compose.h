@@ -18,10 +18,6 @@ enum class DitherFormat {
     rgb332,  ///< 3, 3 and 2 bits
 };
 
-/// Ranks 0..15 of a 4x4 square (Bayer 1973): the order in which its pixels are raised.
-inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kBayer4 = {
-    {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
-
 /// Per channel the highest level of a format: 31, 63, 31 or 7, 7, 3; 255 for `none`.
 [[nodiscard]] std::array<int, 3> top_levels(DitherFormat format);
 

@@ -15,9 +15,9 @@ using raster::Overflow;
 const Field kSum{.ranges = {.depth = 63, .normal = {63, 63, 63}}};
 
 template <class T>
-int packed(const Packer& packer, float depth, std::array<float, 3> n, bool renormalise = false) {
+int packed(const Packer& packer, float depth, std::array<float, 3> n) {
     T code = 0;
-    packer.pack_row<T>(0, {&depth, &n[0], &n[1], &n[2], 1, renormalise, 17}, &code);
+    packer.pack_row<T>(0, {&depth, &n[0], &n[1], &n[2], 1, false, 17}, &code);
     return code;
 }
 
@@ -58,17 +58,6 @@ TEST(Packer, EachRoundsBeforeItSums) {
     EXPECT_EQ(packed<std::uint8_t>(apart, d, {n, n, n}), 124);
 }
 
-TEST(Packer, SaturatesOrWraps) {
-    const Field wide{.ranges = {.depth = 255, .normal = {0, 0, 45}}};
-    const CodeLayout layout{raster::Store::u8, 1, {wide}};
-    const Packer saturating(layout, DepthSign::near_high, Quantise::sum, Overflow::saturate);
-    const Packer wrapping(layout, DepthSign::near_high, Quantise::sum, Overflow::wrap);
-    EXPECT_EQ(packed<std::uint8_t>(saturating, 1, {0, 0, 1}), 255);
-    EXPECT_EQ(packed<std::uint8_t>(wrapping, 1, {0, 0, 1}), 300 - 256);
-    EXPECT_EQ(packed<std::uint8_t>(saturating, -1, {0, 0, -1}), 0);
-    EXPECT_EQ(packed<std::uint8_t>(wrapping, -1, {0, 0, -1}), 1);
-}
-
 TEST(Packer, BitFieldsStandSideBySide) {
     const Field depth{.ranges = {.depth = 255}, .shift = 8, .bits = 8};
     const Field normal{.ranges = {.normal = {85, 85, 85}}, .shift = 0, .bits = 8};
@@ -78,21 +67,6 @@ TEST(Packer, BitFieldsStandSideBySide) {
     EXPECT_EQ(packed<std::uint16_t>(packer, 0, {1, 1, 1}), 0x00ff);
     EXPECT_EQ(packed<std::uint16_t>(packer, 2, {3, 3, 3}), 0xffff);
     EXPECT_EQ(packer.at_vertex(0, 1, {-1, -1, 1}), 0xff55 + 0.5);
-}
-
-TEST(Packer, RenormalisesInterpolatedNormals) {
-    const Field z{.ranges = {.normal = {0, 0, 100}}};
-    const Packer packer(
-        {raster::Store::u8, 1, {z}}, DepthSign::near_high, Quantise::sum, Overflow::saturate);
-    EXPECT_EQ(packed<std::uint8_t>(packer, 0, {0, 0.3F, 0.4F}), 70);
-    EXPECT_EQ(packed<std::uint8_t>(packer, 0, {0, 0.3F, 0.4F}, true), 90);
-    EXPECT_EQ(packed<std::uint8_t>(packer, 0, {0, 0, 0}, true), 50);
-}
-
-TEST(Packer, SkyIsWhatNothingDrawnHolds) {
-    const Packer packer(
-        {raster::Store::u8, 1, {kSum}}, DepthSign::near_high, Quantise::sum, Overflow::saturate);
-    EXPECT_EQ(packed<std::uint8_t>(packer, method::kNothingDrawn, {0, 0, 0}), 17);
 }
 
 TEST(LinearCode, IsDeclaredByTheSumsAlone) {

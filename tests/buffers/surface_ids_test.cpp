@@ -90,11 +90,6 @@ TEST(SurfaceIds, AnEpsilonClosesHairlineCracksWithinAnObject) {
     EXPECT_EQ(distinct(surface_ids(scene, IdSource::patch, wide)), 1U);
 }
 
-TEST(SurfaceIds, NoSceneHasNone) {
-    for (const IdSource source : {IdSource::object, IdSource::patch, IdSource::triangle})
-        EXPECT_TRUE(ids_of({}, source).empty());
-}
-
 bool has_line(const edge::EdgeImage& image) {
     return std::any_of(image.data(), image.data() + image.size(), [](int s) { return s > 0; });
 }
@@ -105,12 +100,6 @@ edge::EdgeImage from_above(const scene::Scene& scene,
                            const core::ParamValues& values) {
     return methods::drawn(
         method, values, scene, {methods::view_from(scene, {1, 2, 0.01}, {1, 0, 0}, {80, 40}), 1});
-}
-
-TEST(Ids, ASeamOfCoplanarTilesIsABorderOfObjectsAndNotOfPatches) {
-    EXPECT_TRUE(has_line(from_above(two_tiles(), "ids", {{"of", "object"}})));
-    EXPECT_TRUE(has_line(from_above(two_tiles(), "ids", {{"of", "object_and_patch"}})));
-    EXPECT_FALSE(has_line(from_above(two_tiles(), "ids", {{"of", "patch"}})));
 }
 
 TEST(Ids, FollowAPatchThatComesApart) {

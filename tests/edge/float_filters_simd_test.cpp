@@ -123,17 +123,6 @@ TEST(DecaudinSimd, RowsOfPAreThePlainOperator) {
     });
 }
 
-TEST(DecaudinSimd, ThreadsChangeNothing) {
-    Planes planes(301, 203, 3);
-    const auto channels = channels_of(planes, {0.5F});
-    EdgeImage one(301, 203);
-    EdgeImage two(301, 203);
-    decaudin(channels, DecaudinJoin::max, one.view(), 1);
-    decaudin(channels, DecaudinJoin::max, two.view(), 2);
-    EXPECT_EQ(one, two);
-    EXPECT_EQ(one, plain_decaudin(channels, DecaudinJoin::max, 301, 203));
-}
-
 void check_full(int width_px, int height_px, const FullLaplacianResponse& r) {
     Planes planes(width_px, height_px, static_cast<unsigned>(width_px));
     const FloatPlanes views = planes.views();

@@ -80,15 +80,6 @@ TEST(JumpFlood, ReachesAsFarAsItIsAskedTo) {
     EXPECT_EQ(jump_flood_passes(8), 4);
 }
 
-TEST(JumpFlood, GivesTheSameSeedsOnEveryNumberOfThreads) {
-    Seeds one = random_seeds(133, 97, 60, 7);
-    Seeds three = one;
-    Seeds scratch;
-    jump_flood(one, scratch, 20, 1);
-    jump_flood(three, scratch, 20, 3);
-    EXPECT_EQ(one, three);
-}
-
 TEST(JumpFlood, WithoutSeedsOrPixelsDoesNothing) {
     Seeds none(9, 5);
     Seeds scratch;

@@ -14,42 +14,10 @@
 namespace ink::edge {
 namespace {
 
-/// Every combination worth telling apart for codes of `bits` bits.
-std::vector<LaplacianResponse> responses(int bits) {
-    std::vector<LaplacianResponse> all;
-    for (const Response response : {Response::absolute, Response::positive, Response::wrap}) {
-        for (const int clip : {0, 2, 5, 15}) {
-            for (const int scale : {-15, -8, -1, 0, 1, 7, 15}) {
-                for (const bool wraps : {false, true}) {
-                    all.push_back({response, clip, scale, bits, wraps});
-                }
-            }
-        }
-    }
-    return all;
-}
-
 template <class T>
 class LaplacianOf : public testing::Test {};
 using Codes = testing::Types<std::uint8_t, std::uint16_t>;
 TYPED_TEST_SUITE(LaplacianOf, Codes);
-
-TYPED_TEST(LaplacianOf, IsTheDefinitionOnRandomImages) {
-    constexpr int kBits = 8 * sizeof(TypeParam);
-    constexpr int kWidth = 77;
-    const auto image = random_image<TypeParam>(kWidth + 2, 3, {0, (1 << kBits) - 1}, 1);
-    for (const LaplacianResponse& r : responses(kBits)) {
-        std::vector<std::uint8_t> out(kWidth);
-        laplacian({image.row(1) + 1, kWidth, 1, kWidth + 2}, {out.data(), kWidth, 1, kWidth}, r);
-        for (int x = 0; x < kWidth; ++x) {
-            const TypeParam* at = image.row(1) + 1 + x;
-            const int laplacian = plain::laplacian_at(at, kWidth + 2);
-            ASSERT_EQ(out[x], plain::response_at(at, kWidth + 2, r))
-                << "L " << laplacian << " clip " << r.clip_bits << " scale " << r.scale_bits;
-            ASSERT_EQ(respond(laplacian, r), out[x]);
-        }
-    }
-}
 
 TYPED_TEST(LaplacianOf, EqualsOpenCvInTheInterior) {
     constexpr int kDepth = sizeof(TypeParam) == 1 ? CV_8U : CV_16U;

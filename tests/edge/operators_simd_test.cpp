@@ -106,19 +106,6 @@ TEST(DepthJumps, AreStepsNotPlanesNorBends) {
     EXPECT_EQ(marked({4, 4, 4, 4.04F, 4.04F, 4.04F, 4.04F}), Marks(4, 0));  // less than 1 in 100
 }
 
-TEST(Operators, ThreadsChangeNothing) {
-    Guarded<float> in(133, 97, 1, 0.0F);
-    fill_adversarially(in.pixels(), 9);
-    Guarded<float> one(133, 97, 0, 0.0F);
-    Guarded<float> two(133, 97, 0, 0.0F);
-    roberts(in.view(), one.view(), 1);
-    roberts(in.view(), two.view(), 2);
-    EXPECT_EQ(one.pixels(), two.pixels());
-    sobel(in.view(), Differential::second, one.view(), 1);
-    sobel(in.view(), Differential::second, two.view(), 2);
-    EXPECT_EQ(one.pixels(), two.pixels());
-}
-
 template <class T>
 class Blur : public testing::Test {};
 using Codes = testing::Types<std::uint8_t, std::uint16_t>;
@@ -185,17 +172,6 @@ TEST(ThresholdSimd, IsTheComparisonAtEveryResponseAndWidth) {
             [&](auto in, auto out) { threshold(in, at_least, out); },
             [&](const std::uint8_t* at, std::ptrdiff_t) { return *at >= at_least ? 1 : 0; });
     }
-}
-
-TEST(ThresholdSimd, EqualsOpenCvs) {
-    core::Image<std::uint8_t> image(97, 31);
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image.data()[i] = static_cast<std::uint8_t>(i * 37);
-    const cv::Mat edge_responses(31, 97, CV_8U, image.data());
-    cv::Mat theirs;
-    cv::threshold(edge_responses, theirs, 99, 1, cv::THRESH_BINARY);  // strictly above
-    const Mask ours = threshold(image, 100);
-    EXPECT_TRUE(std::equal(ours.data(), ours.data() + ours.size(), theirs.data));
 }
 
 }  // namespace

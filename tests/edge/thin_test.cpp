@@ -126,17 +126,6 @@ TEST(Thin, MakesABlockASpine) {
                     "......"}));
 }
 
-TEST(Thin, MakesADoubleLineSingle) {
-    EXPECT_EQ(rows_of(thin(mask_of({"........",  //
-                                    "########",
-                                    "########",
-                                    "........"}))),
-              (Rows{"........",  //
-                    "........",
-                    "#######.",
-                    "........"}));
-}
-
 TEST(Thin, MakesAThickDiagonalSingle) {
     EXPECT_EQ(rows_of(thin(mask_of(
                   {"##......", ".##.....", "..##....", "...##...", "....##..", ".....##."}))),
@@ -147,20 +136,6 @@ TEST(Thin, KeepsTheHoleOfAThickRing) {
     EXPECT_EQ(rows_of(thin(mask_of(
                   {"#########", "#########", "##.....##", "##.....##", "#########", "#########"}))),
               (Rows{".........", ".######..", "#......#.", "#......#.", ".#.....#.", "..#####.."}));
-}
-
-TEST(Thin, TakesCornersAtTheFrame) {
-    EXPECT_EQ(rows_of(thin(mask_of({"########",  //
-                                    "#......#",
-                                    "########"}))),
-              (Rows{".######.",  //
-                    "#......#",
-                    ".######."}));
-}
-
-TEST(Thin, MakesACrossThin) {
-    EXPECT_EQ(rows_of(thin(mask_of({"..##..", "..##..", "######", "######", "..##..", "..##.."}))),
-              (Rows{"......", "......", "......", "#####.", "..#...", "..#..."}));
 }
 
 TEST(Thin, LeavesThinThingsAlone) {
@@ -227,31 +202,12 @@ TEST(BitMask, GivesItsMaskBack) {
     }
 }
 
-TEST(Thin, ChangesNothingTheSecondTime) {
-    std::mt19937 random(8);
-    for (int i = 0; i < 100; ++i) {
-        const Mask once = thin(random_mask(30, 20, (i % 10 + 0.5) / 10, random));
-        ASSERT_EQ(thin(once), once) << "mask " << i;
-    }
-}
-
 TEST(Thin, KeepsEveryPieceInOnePiece) {
     std::mt19937 random(9);
     for (int i = 0; i < 200; ++i) {
         const Mask mask = random_mask(25, 25, (i % 10 + 0.5) / 10, random);
         ASSERT_EQ(count_components(thin(mask)), count_components(mask)) << "mask " << i;
     }
-}
-
-TEST(Threshold, TakesTheResponseItself) {
-    EdgeImage image(4, 1);
-    image.at(0, 0) = 0;
-    image.at(1, 0) = 127;
-    image.at(2, 0) = 128;
-    image.at(3, 0) = 255;
-    EXPECT_EQ(rows_of(ink::edge::threshold(image, 128)), Rows{"..##"});
-    EXPECT_EQ(rows_of(ink::edge::threshold(image, 1)), Rows{".###"});
-    EXPECT_EQ(rows_of(ink::edge::threshold(image, 255)), Rows{"...#"});
 }
 
 TEST(Threshold, PercentsAreTheLeastResponseThatReachesThem) {

@@ -19,38 +19,6 @@ void expect_bytes(const PixelBytes& bytes, double read, double written) {
     EXPECT_EQ(bytes.written, written);
 }
 
-TEST(DeclaredCost, OfMote2AndMote4IsOneByteAndOneFilter) {
-    for (const char* method : {"mote2", "mote4"}) {
-        const Cost cost = cost_of(method);
-        EXPECT_EQ(cost.passes, 1);
-        EXPECT_EQ(cost.interpolants, 1);
-        EXPECT_EQ(cost.values_per_vertex, 1);
-        EXPECT_TRUE(cost.shares_vertices);
-        EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 1);
-        expect_bytes(cost.fill, 4, 4 + 1);
-        expect_bytes(cost.filter, 1, 1);
-    }
-}
-
-TEST(DeclaredCost, OfMote16IsAByteMore) {
-    const Cost cost = cost_of("mote16");
-    EXPECT_EQ(cost.interpolants, 1);
-    EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 2);
-    expect_bytes(cost.fill, 4, 4 + 2);
-    expect_bytes(cost.filter, 2, 1);
-}
-
-TEST(DeclaredCost, OfDecaudinIsFourFloatsAndTwoOperators) {
-    const Cost cost = cost_of("decaudin");
-    EXPECT_EQ(cost.passes, 1);
-    EXPECT_EQ(cost.interpolants, 4);
-    EXPECT_EQ(cost.values_per_vertex, 4);
-    EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 16);
-    expect_bytes(cost.fill, 4, 4 + 16);
-    // g is written and read again.
-    expect_bytes(cost.filter, 16 + 16, 16 + 1);
-}
-
 TEST(DeclaredCost, FollowsTheSettings) {
     const Cost separate = cost_of("mote2", {{"combine", "separate"}});
     EXPECT_EQ(separate.interpolants, 2);
@@ -71,17 +39,13 @@ TEST(DeclaredCost, FollowsTheSettings) {
     // Two fields are taken out of 16 bits.
     expect_bytes(cost_of("mote16", {{"layout", "8+8"}}).filter, 2 * (2 + 2) + 1, 2 * (1 + 2));
 
+    EXPECT_EQ(cost_of("ids", {{"side", "both"}}).filter.read, 4);
+    // |n.v| is made from the normal.
+    EXPECT_EQ(cost_of("roberts", {{"guard", "none"}}).filter.read + 12,
+              cost_of("roberts").filter.read);
+
     // An encoding of its own is a float read and written.
     expect_bytes(cost_of("decaudin", {{"depth_encoding", "linear"}}).filter, 32 + 4, 17 + 4);
-}
-
-TEST(DeclaredCost, OfIdsIsAConstantAndItsNeighbours) {
-    const Cost cost = cost_of("ids");
-    EXPECT_EQ(cost.interpolants, 0);
-    EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 4);
-    expect_bytes(cost.fill, 4, 4 + 4);
-    expect_bytes(cost.filter, 4 + 4, 1);
-    EXPECT_EQ(cost_of("ids", {{"side", "both"}}).filter.read, 4);
 }
 
 TEST(DeclaredCost, OfJumpFloodGrowsByAPassWithEveryDoublingOfTheWidth) {
@@ -93,26 +57,6 @@ TEST(DeclaredCost, OfJumpFloodGrowsByAPassWithEveryDoublingOfTheWidth) {
         EXPECT_EQ(bytes(wide).read - bytes(narrow).read, 4);
         EXPECT_EQ(bytes(wide).written - bytes(narrow).written, 4);
     }
-}
-
-TEST(DeclaredCost, OfTheCrossesIsFourFloatsAndOneFilter) {
-    for (const char* method : {"roberts", "plane_distance"}) {
-        const Cost cost = cost_of(method);
-        EXPECT_EQ(cost.interpolants, 4);
-        EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 16);
-        expect_bytes(cost.fill, 4, 4 + 16);
-    }
-    // |n.v| is made from the normal.
-    EXPECT_EQ(cost_of("roberts", {{"guard", "none"}}).filter.read + 12,
-              cost_of("roberts").filter.read);
-}
-
-TEST(DeclaredCost, OfAHullIsTwoPassesAndBothTheirDepths) {
-    const Cost cost = cost_of("inverted_hull");
-    EXPECT_EQ(cost.passes, 2);
-    EXPECT_EQ(cost.buffer_bytes_per_px, 2 * 4);
-    expect_bytes(cost.fill, 4, 4);
-    expect_bytes(cost.filter, 3 * 4, 4 + 1);
 }
 
 TEST(DeclaredCost, IsThereForEveryMethodAndAllItsSettings) {

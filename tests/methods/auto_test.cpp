@@ -4,7 +4,6 @@
 
 #include "catalogue/shapes.h"
 #include "methods/auto/auto_plan.h"
-#include "scene/animation.h"
 #include "tests/methods/small_scenes.h"
 
 // What `auto` chooses for each kind of scene, and that it draws what it chose.
@@ -92,46 +91,6 @@ TEST(Auto, DrawsWhatTheChosenMethodDraws) {
     }
 }
 
-/// A ball, and dents of it in two places: frames of one second each.
-scene::Scene dented_ball() {
-    scene::Scene scene = scene_of({catalogue::make_icosphere(1, 3)});
-    scene::VertexFrames frames;
-    frames.frame_count = 3;
-    for (const glm::vec3 dent : {glm::vec3(0), {0, 0.6F, 0.8F}, {0.8F, 0, 0.6F}}) {
-        for (const glm::vec3& p : scene.meshes[0].positions) {
-            const float near = glm::dot(dent, p);
-            frames.positions.push_back(near > 0.5F ? p * (1.6F - 1.2F * near) : p);
-        }
-    }
-    scene::Animation motion;
-    motion.duration_s = 2;
-    motion.frames_per_s = 1;
-    motion.node_of_instance = {scene::kNoNode};
-    motion.vertex_frames = {frames};
-    scene.animation = std::make_shared<const scene::Animation>(motion);
-    return scene;
-}
-
-TEST(Auto, DrawsAPoseTheSameWhateverItDrewOnTheWay) {
-    scene::Scene scene = dented_ball();
-    const scene::View view = view_from(scene, {2, 2, 5}, {0, 0, 0}, {150, 101});
-    const auto images = [&](const std::vector<double>& times_s) {
-        const auto method = find_method("auto").make({{"price", "1"}});
-        scene::pose_scene(scene, 0);
-        method->prepare(scene);
-        edge::EdgeImage image(view.width_px, view.height_px);
-        for (const double time_s : times_s) {
-            scene::pose_scene(scene, time_s);
-            method->pose(scene);
-            method->draw({view, 1}, image);
-        }
-        EXPECT_EQ(method->plan().front().what, "surface8_depth");
-        return image;
-    };
-    EXPECT_EQ(images({0, 1, 2}), images({2}));
-    EXPECT_EQ(images({2, 0, 1}), images({1}));
-}
-
 TEST(Auto, TellsThePlanOfTheSceneThatWasPrepared) {
     const auto method = find_method("auto").make({});
     for (const scene::Scene& scene : {torus(), cube_on_floor()}) {
@@ -139,13 +98,6 @@ TEST(Auto, TellsThePlanOfTheSceneThatWasPrepared) {
         const std::string chosen = scene.meshes.size() == 1 ? "surface_lookup" : "label8";
         EXPECT_EQ(method->plan().front().what, chosen);
         EXPECT_EQ(method->bytes_per_px(), find_method(chosen).bytes_per_px({}));
-    }
-}
-
-TEST(Auto, OtherMethodsPlanNothing) {
-    for (const method::MethodInfo& info : registry()) {
-        if (info.name == "auto") continue;
-        EXPECT_TRUE(info.make({})->plan().empty()) << info.name;
     }
 }
 

@@ -19,13 +19,7 @@ struct SeenRectangle {
     int height_px;
     double left_px, right_px, top_px, bottom_px;
 
-    [[nodiscard]] scene::View view() const {
-        scene::View view;
-        view.camera = scene::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.7);
-        view.width_px = width_px;
-        view.height_px = height_px;
-        return view;
-    }
+    [[nodiscard]] scene::View view() const { return face_on(width_px, height_px); }
     [[nodiscard]] scene::Scene scene() const {
         const double unit = 4 / scene::Projection(view()).focal_px();
         const auto x = [&](double px) { return static_cast<float>((px - width_px / 2.0) * unit); };

@@ -58,24 +58,6 @@ TEST(IdLookup, DrawsTheEdgesOfACubeAndNoDiagonal) {
     }
 }
 
-TEST(IdLookup, SilhouettesOfACubeAreContoursTheOthersCreases) {
-    const scene::Scene scene = scene_of({cube_mesh()});
-    const scene::View view = view_from(scene, {3, 4, 6}, {0, 0, 0}, {301, 200});
-    const auto outline = drawn("ids", {{"of", "object"}, {"samples", "corner"}}, scene, {view, 1});
-    const auto kinds = classes_of(scene, view);
-    int creases = 0;
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const LineKind kind = kinds.data()[i];
-        if (outline.data()[i] != 0) {
-            EXPECT_EQ(kind, LineKind::contour);
-        } else {
-            EXPECT_TRUE(kind == LineKind::none || kind == LineKind::crease);
-        }
-        creases += kind == LineKind::crease;
-    }
-    EXPECT_GT(creases, 100);
-}
-
 /// How many pixels of a class the truth has, and how many have one of the method beside or on them.
 struct Agreement {
     int truth_px = 0;
@@ -119,18 +101,6 @@ TEST(IdLookup, ClassesAreThoseOfTheTruth) {
             }
         }
     }
-}
-
-TEST(IdLookup, BoundariesAreTold) {
-    const scene::Scene scene = scene_of({floor_mesh(1)});
-    const scene::View view = view_from(scene, {1, 3, 2}, {0, 0, 0}, {300, 200});
-    const auto kinds = classes_of(scene, view);
-    int lines = 0;
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        EXPECT_TRUE(kinds.data()[i] == LineKind::none || kinds.data()[i] == LineKind::boundary);
-        lines += kinds.data()[i] == LineKind::boundary;
-    }
-    EXPECT_GT(lines, 200);
 }
 
 /// Expects that pixels of one class in the truth of a view have it beside or on them here.

@@ -5,8 +5,7 @@
 #include "tests/methods/small_scenes.h"
 
 // The law of skips: whatever a method is allowed to skip, its image is the one it draws when it
-// may skip nothing. As functions that name the first breach, so that they can be tried on methods
-// that break it.
+// may skip nothing. As functions that name the first breach.
 
 namespace ink::methods {
 

@@ -238,59 +238,5 @@ TEST(SkipCounts, AreZeroWhereItIsNot) {
     }
 }
 
-/// mote4, spoilt: one pixel is another where a skip is allowed, or a frame before the same camera
-/// is taken for still.
-class Cheat final : public method::Method {
-  public:
-    Cheat(Skip skip, bool is_forgetful) : skip_(skip), is_forgetful_(is_forgetful) {}
-    void prepare(const scene::PreparedScene& scene) override { inner_->prepare(scene); }
-    void pose(const scene::PreparedScene& scene) override { inner_->pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override {
-        if (is_forgetful_) return draw_if_seen_from_elsewhere(frame, out);
-        inner_->draw(frame, out);
-        if (frame.skips.has(skip_) && frame.threads == 2) out.at(3, 3) ^= 1;
-    }
-    int bytes_per_px() const override { return 1; }
-
-  private:
-    void draw_if_seen_from_elsewhere(const method::Frame& frame, edge::EdgeImage& out) {
-        const glm::dvec3& eye = frame.view.camera.eye_world;
-        if (!frame.skips.has(skip_) || eye != last_eye_ || last_.size() != out.size()) {
-            inner_->draw(frame, out);
-            last_ = out;
-            last_eye_ = eye;
-        }
-        out = last_;
-    }
-
-    std::unique_ptr<method::Method> inner_ = find_method("mote4").make({});
-    Skip skip_;
-    bool is_forgetful_;
-    edge::EdgeImage last_;
-    glm::dvec3 last_eye_{0};
-};
-
-TEST(SkipLaw, NamesTheSkipThatChangesAnImage) {
-    const scene::Scene scene = cube_on_floor();
-    const std::vector<scene::View> views = {view_from(scene, {4, 3, 6}, {0, 0, 0}, {80, 60}),
-                                            view_from(scene, {3, 3, 6}, {0, 0, 0}, {80, 60})};
-    const auto cheat = [](Skip skip) {
-        return [skip] { return std::make_unique<Cheat>(skip, false); };
-    };
-    EXPECT_NE(breach_of_a_view(cheat(Skip::occlusion_culling), scene, views).find("2 threads"),
-              std::string::npos);
-    EXPECT_EQ(breach_of_a_view(maker(find_method("mote4")), scene, views), "");
-}
-
-TEST(SkipLaw, NamesTheFrameThatWasTakenForStill) {
-    const MakeMethod make = [] { return std::make_unique<Cheat>(Skip::temporal_reuse, true); };
-    const std::vector<Step> steps = eventful_sequence();
-    const auto expected = expected_of(make, steps);
-    const auto all_on = [](std::size_t) { return raster::SkipSet(); };
-    const auto all_off = [](std::size_t) { return raster::SkipSet::none(); };
-    EXPECT_EQ(breach_of_a_sequence(make, steps, expected, all_on), "the cube turned");
-    EXPECT_EQ(breach_of_a_sequence(make, steps, expected, all_off), "");
-}
-
 }  // namespace
 }  // namespace ink::methods

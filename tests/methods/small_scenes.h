@@ -46,6 +46,15 @@ inline scene::View view_from(
     return view;
 }
 
+/// What faces the eye from 4 away, its middle in the middle of the image.
+inline scene::View face_on(int width_px, int height_px) {
+    scene::View view;
+    view.camera = scene::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.7);
+    view.width_px = width_px;
+    view.height_px = height_px;
+    return view;
+}
+
 /// A wall that faces the eye and fills the middle half of a 160 x 160 image: pixels 40..119.
 struct Wall {
     scene::Scene scene;

@@ -74,33 +74,6 @@ TEST(SoupModels, BoundaryEdgesAreSoFromEverywhere) {
         EXPECT_EQ(count(models.lines({eye}), buffers::EdgeKind::boundary), 3);
 }
 
-/// A cube's edge is a contour if the eye is in front of one of its two faces only.
-std::ptrdiff_t cube_contours(const glm::dvec3& eye) {
-    std::ptrdiff_t contours = 0;
-    for (int axis0 = 0; axis0 < 3; ++axis0) {
-        for (int axis1 = axis0 + 1; axis1 < 3; ++axis1) {
-            for (const double side0 : {-1.0, 1.0}) {
-                for (const double side1 : {-1.0, 1.0})
-                    contours += (eye[axis0] * side0 > 1) != (eye[axis1] * side1 > 1);
-            }
-        }
-    }
-    return contours;
-}
-
-TEST(SoupModels, ContoursFollowTheEyeFrameByFrame) {
-    const SoupModels models = posed(scene_of({cube_mesh()}));
-    for (int frame = 0; frame < 360; ++frame) {
-        const double angle = 0.01745 * frame + 0.003;
-        // Near enough to see one, two or three faces, round and up and down.
-        const glm::dvec3 eye(
-            2 * std::cos(angle), 1.5 * std::sin(3 * angle + 0.5), 1.75 * std::sin(angle));
-        const auto lines = models.lines({eye});
-        EXPECT_EQ(count(lines, buffers::EdgeKind::contour), cube_contours(eye)) << frame;
-        EXPECT_EQ(lines.size(), 12U) << frame;
-    }
-}
-
 scene::Scene frame_of(double height) {
     scene::Scene scene = scene_of({cube_mesh(), floor_mesh(2)});
     for (glm::vec3& p : scene.meshes[0].positions)

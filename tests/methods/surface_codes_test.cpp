@@ -288,16 +288,6 @@ TEST(SurfaceCodes, AFlatSheetHasOneCodeAndAPatchWithoutTurning) {
     EXPECT_EQ(spread_of(prepared(scene_of(roof(12)), 0).codes({})), 0U);
 }
 
-TEST(SurfaceCodes, LongerStepsAreFewer) {
-    const scene::Scene scene = scene_of(random_mesh(3));
-    SurfaceCodes made = prepared(scene, 0.5);
-    const auto spread_by = [&](float length) {
-        return spread_of(made.codes(std::vector<float>(scene::triangle_count(scene), length)));
-    };
-    EXPECT_GT(spread_by(0.01F), spread_by(0.3F));
-    EXPECT_LE(spread_by(10), 1U);
-}
-
 TEST(SurfaceCodes, StayWhileInstancesMoveAndForFacesTurnedOver) {
     scene::Scene scene = scene_of(random_mesh(4));
     SurfaceCodes made = prepared(scene);

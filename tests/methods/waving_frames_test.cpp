@@ -180,21 +180,5 @@ TEST_F(WavingFrames, ContoursFollowTheEyeFromFrameToFrame) {
     }
 }
 
-TEST_F(WavingFrames, ContoursFollowAnEyeThatMovesRoundOneFrame) {
-    SoupModels models({.epsilon = 0, .most_frames = 1, .crease_rad = 0.7});
-    const scene::Scene& sheet = frame(40);
-    models.prepare(sheet);
-    models.pose(sheet);
-    const scene::Sphere bounds = scene::bounding_sphere(sheet);
-    for (int step = 0; step < 60; ++step) {
-        const double turn_rad = 0.105 * step + 0.0123;
-        const glm::dvec3 eye =
-            bounds.center_world +
-            1.7 * bounds.radius * glm::dvec3(std::sin(turn_rad), 0.47, std::cos(turn_rad));
-        EXPECT_EQ(listed_contours(models, eye), contours_of(sheet, eye)) << step;
-    }
-    EXPECT_EQ(models.cache_counts().built, 1U);
-}
-
 }  // namespace
 }  // namespace ink::methods

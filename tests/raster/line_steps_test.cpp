@@ -77,37 +77,6 @@ TEST(LineSteps, CoverRandomShortLinesAsTheDiamondExitRuleSays) {
         expect_as_reference(at(any(random), any(random)), at(any(random), any(random)));
 }
 
-/// The image's origin is not OpenGL's, which lies below: nothing may depend on the row counted
-/// from above.
-TEST(LineSteps, AreTheSameFurtherDown) {
-    const auto high = stepped_line(at(100, 70), at(2000, 900), 4);
-    const auto low = stepped_line(at(100, 70 + 256 * 37), at(2000, 900 + 256 * 37), 4);
-    std::set<Pixel> moved;
-    for (const Pixel& p : high)
-        moved.insert({p.first, p.second + 37});
-    EXPECT_EQ(low, moved);
-}
-
-/// A chain that turns within one octant draws every pixel of its joints once.
-TEST(LineSteps, ShareNoPixelAtAJoint) {
-    std::mt19937 random(3);
-    std::uniform_int_distribution<int> any(1, 900);
-    ScreenVertex last = at(0, 0);
-    std::set<Pixel> all;
-    std::set<int> columns;
-    for (int i = 0; i < 200; ++i) {
-        const int along = any(random);
-        const ScreenVertex next = at(last.x + along, last.y + any(random) % (along + 1));
-        for (const Pixel& p : stepped_line(last, next, 1)) {
-            EXPECT_TRUE(all.insert(p).second);
-            columns.insert(p.first);
-        }
-        last = next;
-    }
-    EXPECT_EQ(columns.size(), all.size());
-    EXPECT_EQ(static_cast<std::size_t>(*columns.rbegin() - *columns.begin() + 1), columns.size());
-}
-
 /// Counted by hand: from the centre of pixel (2, 3) to that of (6, 3), which is not drawn.
 TEST(LineSteps, LeaveOutTheirLastPixel) {
     const auto line =

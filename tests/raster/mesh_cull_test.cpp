@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "core/simd.h"
 #include "raster/depth/depth_image.h"
 #include "tests/raster/gather_sink.h"
 #include "tests/raster/stage.h"
@@ -18,15 +17,12 @@ struct Asked {
 };
 
 struct CullStage : Stage {
-    explicit CullStage(const std::string& name, double nearer = 1)
-        : Stage(name, {kWidth_px, kHeight_px}, nearer) {}
+    explicit CullStage(const std::string& name) : Stage(name, {kWidth_px, kHeight_px}, 1) {}
 
-    [[nodiscard]] core::Image<std::uint32_t> draw(const Asked& asked,
-                                                  int threads = 1,
-                                                  const SkipSet& skips = {}) const {
+    [[nodiscard]] core::Image<std::uint32_t> draw(const Asked& asked) const {
         PassFormat format;
         format.depth = asked.depth;
-        MeshInput input = mesh_input(threads, skips);
+        MeshInput input = mesh_input(1, {});
         input.cull = asked.cull;
         input.offset = asked.offset;
         DepthImage image;
@@ -73,30 +69,6 @@ TEST(MeshCull, LeavesOutExactlyTheSideItNames) {
                 // Lanes round otherwise than the plain pass, by few of 2^24 steps.
                 if (depth == DepthFormat::z24) {
                     EXPECT_LE(unlike_px, kWidth_px * kHeight_px / 500) << name;
-                }
-            }
-        }
-    }
-}
-
-TEST(MeshCull, SkipsThreadsAndTargetsNeverChangeABit) {
-    std::vector<Asked> all;
-    for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z24}) {
-        for (const Cull cull : {Cull::none, Cull::back, Cull::front}) {
-            all.push_back({depth, cull, {}});
-            all.push_back({depth, cull, {-1.5, -1}});
-        }
-    }
-    for (const std::string& name : kScenes) {
-        for (const double nearer : {1.0, 0.05}) {
-            const CullStage stage(name, nearer);
-            for (const Asked& asked : all) {
-                const auto best = stage.draw(asked);
-                EXPECT_TRUE(stage.draw(asked, 3) == best) << name;
-                EXPECT_TRUE(stage.draw(asked, 1, SkipSet::none()) == best) << name;
-                for (const core::SimdTarget& target : core::simd_targets()) {
-                    const core::ForcedSimdTarget forced(target);
-                    EXPECT_TRUE(stage.draw(asked) == best) << name << " on " << target.name;
                 }
             }
         }

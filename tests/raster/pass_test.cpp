@@ -53,17 +53,6 @@ TEST(DrawPass, NothingIsClippedAtFar) {
     }
 }
 
-TEST(DrawPass, ReadsNoAttributeThatIsNotDeclared) {
-    // With spans this short any reading of them would be out of bounds, which dev and asan catch.
-    TestMesh mesh;
-    add_square(mesh, 2);
-    PassInput input = mesh.input();
-    input.values = {};
-    input.values_back = {};
-    input.constants = {};
-    EXPECT_EQ(gathered<float>({}, input, 16, 16).depth.at(8, 8), 0.5F);
-}
-
 TEST(PassFormat, BytesPerPixelAreDepthPlusPlanes) {
     PassFormat format;
     EXPECT_EQ(format.bytes_per_px(), 4);

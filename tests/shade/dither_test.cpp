@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 namespace ink::shade {
 namespace {
 
@@ -12,15 +10,6 @@ int level_of(int value, int top) {
     const int level = (value * top + 127) / 255;
     EXPECT_EQ((level * 255 + top / 2) / top, value) << "no level of " << top;
     return level;
-}
-
-TEST(Dither, TheSquareHoldsEveryRankOnce) {
-    std::set<int> ranks;
-    for (const auto& row : kBayer4)
-        ranks.insert(row.begin(), row.end());
-    EXPECT_EQ(ranks.size(), 16U);
-    EXPECT_EQ(*ranks.begin(), 0);
-    EXPECT_EQ(*ranks.rbegin(), 15);
 }
 
 TEST(Dither, TheMeanOverFourByFourIsTheColourWithinASixteenthOfALevel) {

@@ -39,12 +39,6 @@ TEST(PatchSpots, ACylindersCapsAreFlatAndItsSideIsNot) {
     EXPECT_EQ(without_patch(spots), 48U);  // 24 quads, which bend by 15 degrees
 }
 
-TEST(PatchSpots, BelowItsBendASideIsMadeOfFlatQuads) {
-    const auto spots = patch_spots(scene_of(catalogue::make_cylinder(1, 2, 24)), 0.2);
-    EXPECT_EQ(spots.spots.size(), 26U);
-    EXPECT_EQ(without_patch(spots), 0U);
-}
-
 TEST(PatchSpots, ASphereHasNoneAndAnEmptySceneToo) {
     EXPECT_TRUE(
         patch_spots(scene_of(catalogue::make_sphere(1, 32, 16)), kCrease_rad).spots.empty());

@@ -61,17 +61,6 @@ TEST(ToonTable, ThreeLevelsLieAtEqualDistancesOverThirds) {
     EXPECT_EQ(table[22], 1);
 }
 
-TEST(ToonTable, ThirtyTwoLevelsAreTheEntriesThemselves) {
-    const ToonTable table = make_toon_table(32, 0);
-    for (int i = 0; i < 32; ++i) {
-        EXPECT_NEAR(look_up(table, static_cast<float>(i) / 32), i / 31.0, 1e-6);
-        EXPECT_EQ(look_up(table, (static_cast<float>(i) + 0.99F) / 32),
-                  look_up(table, static_cast<float>(i) / 32));
-    }
-    EXPECT_EQ(look_up(table, 1), 1);
-    EXPECT_EQ(look_up(table, -0.5F), 0);
-}
-
 TEST(Splashback, AtZeroSixtyAndNinetyDegrees) {
     // alpha 0.8, p 3: (0.8 |cos t| + 0.2)^3.
     EXPECT_NEAR(splashback(1, 0.8, 3), 1, 1e-6);

@@ -13,10 +13,6 @@ void DepthImage::start(DepthFormat format, double near, double far, int width_px
         bits_ = core::Image<std::uint32_t>(width_px, height_px);
 }
 
-std::uint32_t DepthImage::bits_of(double q) const {
-    return format_ == DepthFormat::q32 ? FloatBits(*this).of(q) : StepBits(*this).of(q);
-}
-
 void DepthSink::finish(const Tile& tile) {
     core::Image<std::uint32_t>& bits = image_.bits();
     for (int y = 0; y < tile.height_px; ++y) {

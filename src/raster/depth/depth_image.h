@@ -23,8 +23,6 @@ class DepthImage {
     [[nodiscard]] DepthFormat format() const { return format_; }
     [[nodiscard]] double near() const { return near_; }
     [[nodiscard]] double far() const { return far_; }
-    /// q as a pixel holds it.
-    [[nodiscard]] std::uint32_t bits_of(double q) const;
     [[nodiscard]] core::Image<std::uint32_t>& bits() { return bits_; }
     [[nodiscard]] const core::Image<std::uint32_t>& bits() const { return bits_; }
 
