@@ -1,3 +1,4 @@
+#include <fmt/args.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,6 @@
 #include "cli/commands/commands.h"
 #include "cli/help_format.h"
 #include "cli/json_values.h"
-#include "cli/listing.h"
 #include "cli/options/command_rows.h"
 #include "cli/shader_counts.h"
 #include "core/error.h"
@@ -114,21 +114,109 @@ Json axes_json() {
     });
 }
 
+/// The entry's texts and counts where `format` has their names.
+std::string filled(const char* format, const Json& entry) {
+    fmt::dynamic_format_arg_store<fmt::format_context> fields;
+    for (const auto& [key, value] : entry.items()) {
+        if (value.is_string()) fields.push_back(fmt::arg(key.c_str(), value.get<std::string>()));
+        if (value.is_number_unsigned())
+            fields.push_back(fmt::arg(key.c_str(), value.get<std::size_t>()));
+    }
+    return fmt::vformat(format, fields);
+}
+
+constexpr const char* kNameLines = "  {name:<10} {summary}\n             source: {source}\n";
+
+std::string method_lines(const Json& entry) {
+    const std::string shader = shader_text(entry.at("name").get<std::string>());
+    return filled(kNameLines, entry) + filled("             cost: {cost}\n", entry) +
+           (shader.empty() ? "" : fmt::format("             shader: {}\n", shader));
+}
+
+std::string scene_line(const Json& entry) {
+    return filled(
+        "  {name:<16} {split:<8} {kind:<12} {triangles:>6} triangles, {views} views  {summary}\n",
+        entry);
+}
+
+std::string param_lines(const std::string& owner, const Json& params) {
+    std::string text = fmt::format("  {}\n", owner);
+    for (Json param : params) {
+        const auto unit = param.at("unit").get<std::string>();
+        param["in_unit"] = unit.empty() ? "" : ", " + unit;
+        text += filled("    {name:<16} {default:<10} {accepted}{in_unit}  {doc}\n", param);
+    }
+    return text;
+}
+
+std::string params_of_method(const Json& entry) {
+    return param_lines(entry.at("method").get<std::string>(), entry.at("params"));
+}
+
+std::string column_line(const Json& entry) {
+    return filled("  {name:<22} {unit:<10} {doc}\n", entry);
+}
+
+std::string skip_line(const Json& entry) {
+    return filled("  {name:<18} {unit:<10} {summary}\n", entry);
+}
+
+std::string shading_lines(const Json& entry) {
+    return filled(kNameLines, entry) +
+           param_lines(filled("parameters of {name}", entry), entry.at("params"));
+}
+
+std::string axis_lines(const Json& entry) {
+    const auto name = entry.at("name").get<std::string>();
+    const studies::Axis& axis = *core::find_named(studies::stress_axes(), name);
+    return filled("  {name:<14} {title}: ", entry) +
+           fmt::format("{} .. {}, {} points\n",
+                       studies::format_value(axis, axis.values.front()),
+                       studies::format_value(axis, axis.values.back()),
+                       axis.values.size()) +
+           filled("                 {sentence}\n", entry);
+}
+
+/// What the program knows of one kind of thing.
 struct Topic {
-    const char* name;
+    std::string_view name;
     const char* title;
-    Json (*list)();
+    const char* use;                          ///< by which options
+    Json (*list)();                           ///< objects, with `name` first but for params
+    std::string (*lines)(const Json& entry);  ///< for a terminal
 };
+// clang-format off
 constexpr Topic kTopics[] = {
-    {"methods", "Methods", methods_json},
-    {"scenes", "Scenes", scenes_json},
-    {"params", "Parameters of methods", method_params_json},
-    {"metrics", "Columns of rows.csv", [] { return columns_of(harness::rows_table()); }},
-    {"columns", "Tables of a run folder", tables_json},
-    {"skips", "Skips", skips_json},
-    {"shadings", "Shadings", shadings_json},
-    {"axes", "Axes of difficulty", axes_json},
+    {"methods", "Methods", "methods (inkbench compare --methods a,b)", methods_json, method_lines},
+    {"scenes", "Scenes", "scenes (inkbench compare --scenes a,b)", scenes_json, scene_line},
+    {"params", "Parameters of methods", "parameters (--set key=value, or --set method.key=value)",
+     method_params_json, params_of_method},
+    {"metrics", "Columns of rows.csv", "columns of rows.csv",
+     [] { return columns_of(harness::rows_table()); }, column_line},
+    {"columns", "Tables of a run folder", "", tables_json, nullptr},
+    {"skips", "Skips", "skips (--no-skip a,b or all; the image is the same)", skips_json, skip_line},
+    {"shadings", "Shadings", "shadings (inkbench draw --shading NAME --set-shade key=value)",
+     shadings_json, shading_lines},
+    {"axes", "Axes of difficulty", "axes of difficulty (inkbench stress --axes a,b)",
+     axes_json, axis_lines},
 };
+// clang-format on
+
+std::string text_of(const Topic& topic) {
+    if (topic.lines == nullptr) return experiment::dictionary_text();
+    std::string text = std::string(topic.use) + "\n";
+    for (const Json& entry : topic.list())
+        text += topic.lines(entry);
+    return text;
+}
+
+/// For a terminal: of one topic, or of all but the columns, with units, ranges and defaults.
+std::string listing(const std::string& what) {
+    std::string text;
+    for (const Topic& topic : kTopics)
+        if (what == topic.name || (what == "all" && topic.lines != nullptr)) text += text_of(topic);
+    return text;
+}
 
 /// Every name of a topic once, in order.
 std::vector<std::string> names_of(const Json& list) {
@@ -149,12 +237,12 @@ std::vector<std::string> names_of(const Json& list) {
     return names;
 }
 
-/// What cli::listing says as text, for programs: an object with one array per topic, each of
-/// objects with `name` first; params are objects of `method` and its `params`.
+/// The same for programs: an object with one array per topic; params are objects of `method` and
+/// its `params`.
 Json listing_json(const std::string& what) {
     Json json = Json::object();
     for (const Topic& topic : kTopics)
-        if (what == "all" || what == topic.name) json[topic.name] = topic.list();
+        if (what == "all" || what == topic.name) json[std::string(topic.name)] = topic.list();
     return json;
 }
 
@@ -209,7 +297,7 @@ std::string list_text(const ListArgs& args) {
     if (args.is_markdown) return experiment::dictionary_markdown();
     if (!args.what.empty()) check_known(args.what);
     if (args.is_json) return listing_json(args.what.empty() ? "all" : args.what).dump(2) + "\n";
-    return args.what.empty() ? list_overview() : cli::listing(args.what);
+    return args.what.empty() ? list_overview() : listing(args.what);
 }
 
 }  // namespace
