@@ -169,18 +169,15 @@ std::string live_page(const harness::SceneViews& scene_views,
     const bake::CodedMesh mesh = bake::coded_mesh(scene_views.scene);
     const std::vector<double> times_s = pose_times_s(scene_views.scene, mesh);
     const PackedMesh packed_arrays = packed(mesh, scene_views.scene, times_s);
-    // A name may hold "</script>", and "<" stands in JSON's texts alone.
-    std::string data = data_json(scene_views, mesh, packed_arrays.place_count, times_s, run, lines)
-                           .dump(-1, ' ', false, Json::error_handler_t::replace);
-    for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
-        data.replace(at, 1, "\\u003c");
     return filled(live_files().index,
                   {{"title", core::escape("Inkbench: " + scene_views.scene.name)},
                    {"style", std::string(live_files().style)},
                    {"scripts", std::string(live_files().scripts)},
                    {"shaders", std::string(live_files().shaders)},
                    {"mesh", mesh_elements(packed_arrays.bytes)},
-                   {"data", data}});
+                   {"data",
+                    page_json(data_json(
+                        scene_views, mesh, packed_arrays.place_count, times_s, run, lines))}});
 }
 
 std::filesystem::path live_page_path(const std::string& scene_name) {

@@ -20,6 +20,7 @@
 #include "harness/images/view_images.h"
 #include "image_io/image_file.h"
 #include "report/deflate.h"
+#include "report/page_template.h"
 
 namespace ink::report {
 namespace {
@@ -32,7 +33,7 @@ constexpr std::size_t kExactDigits = 15;
 std::optional<std::string> json_value(const std::string& field) {
     if (field.empty() || field == "nan") return "null";
     if (field == "true" || field == "false") return field;
-    if (field == "inf" || field == "-inf") return json_text(field);
+    if (field == "inf" || field == "-inf") return page_json(field);
     const auto value = core::parse_number<double>(field);
     const bool is_number = value && std::isfinite(*value);
     const bool is_plain = field.find_first_not_of("0123456789") == std::string::npos;
@@ -59,7 +60,7 @@ std::string text_column(const std::vector<std::string>& fields) {
             continue;
         }
         const auto [found, is_new] = index.emplace(field, static_cast<int>(words.size()));
-        if (is_new) words.push_back(json_text(field));
+        if (is_new) words.push_back(page_json(field));
         at.push_back(found->second);
     }
     return fmt::format("{{\"words\":{},\"at\":{}}}", json_array(words), json_array(at));
@@ -113,7 +114,7 @@ PackedView packed_view(const harness::ShownView& view, const std::set<std::strin
     });
     std::vector<std::string> methods;
     for (const auto& [method, image] : view.image_of)
-        methods.push_back(fmt::format("{}:{}", json_text(method), image));
+        methods.push_back(fmt::format("{}:{}", page_json(method), image));
     return {fmt::format(R"("width":{},"height":{},"methods":{{{}}})",
                         view.labels.width_px(),
                         view.labels.height_px(),
@@ -154,20 +155,6 @@ std::vector<ViewPlace> view_places(const std::vector<experiment::RunData>& runs)
 
 }  // namespace
 
-std::string json_text(std::string_view text) {
-    const auto replace = nlohmann::json::error_handler_t::replace;
-    const std::string quoted = nlohmann::json(text).dump(-1, ' ', false, replace);
-    std::string safe;
-    safe.reserve(quoted.size());
-    for (const char c : quoted) {
-        if (c == '<')
-            safe += "\\u003c";
-        else
-            safe += c;
-    }
-    return safe;
-}
-
 std::string packed_column(const std::vector<std::string>& fields) {
     std::vector<std::string> values;
     for (const std::string& field : fields) {
@@ -180,7 +167,7 @@ std::string packed_column(const std::vector<std::string>& fields) {
         fields.size() > 1 && std::equal(fields.begin() + 1, fields.end(), fields.begin());
     if (is_constant) {
         return fmt::format("{{\"constant\":{}}}",
-                           is_text ? json_text(fields.front()) : values.front());
+                           is_text ? page_json(fields.front()) : values.front());
     }
     return is_text ? text_column(fields) : json_array(values);
 }
@@ -192,17 +179,16 @@ std::string packed_columns(const core::CsvTable& table) {
         fields.reserve(table.records.size());
         for (const std::vector<std::string>& record : table.records)
             fields.push_back(core::unquoted(record[i]));
-        columns.push_back(json_text(table.columns[i]) + ":" + packed_column(fields));
+        columns.push_back(page_json(table.columns[i]) + ":" + packed_column(fields));
     }
     return fmt::format("{{{}}}", fmt::join(columns, ","));
 }
 
-std::string packed_table(const core::CsvTable& table) {
+nlohmann::ordered_json packed_table(const core::CsvTable& table) {
     const std::string columns = packed_columns(table);
     const std::vector<std::uint8_t> packed = deflated(std::as_bytes(std::span(columns)));
-    return fmt::format(R"({{"lines":{},"columns":"{}"}})",
-                       table.records.size(),
-                       core::base64(std::as_bytes(std::span(packed))));
+    return {{"lines", table.records.size()},
+            {"columns", core::base64(std::as_bytes(std::span(packed)))}};
 }
 
 PackedImages packed_images(const std::vector<experiment::RunData>& runs,
@@ -235,11 +221,11 @@ PackedImages packed_images(const std::vector<experiment::RunData>& runs,
                 packed.beside[file] =
                     fmt::format("document.currentScript.images={{{}}};\n", images);
                 images = fmt::format(R"("beside":{})",
-                                     json_text(fs::relative(file, page_folder).generic_string()));
+                                     page_json(fs::relative(file, page_folder).generic_string()));
             }
             of_run[run] += fmt::format("{}{}:{{{},{}}}",
                                        of_run[run].empty() ? "" : ",",
-                                       json_text(scene + "\n" + view),
+                                       page_json(scene + "\n" + view),
                                        head,
                                        images);
         }

@@ -3,17 +3,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/tables/csv_table.h"
 #include "experiment/run_data.h"
 
 namespace ink::report {
-
-/// `text` as a JSON string that may stand in a script element: "<" is written as an escape.
-[[nodiscard]] std::string json_text(std::string_view text);
 
 /// A column of a CSV table as JSON, as page/tables.js reads it: an array; {"constant": value} if
 /// all lines hold the same; {"words": [...], "at": [...]} for texts that repeat (at: index of the
@@ -28,7 +25,7 @@ namespace ink::report {
 [[nodiscard]] std::string packed_columns(const core::CsvTable& table);
 
 /// A CSV table as JSON: {"lines": count, "columns": packed_columns() in zlib's format, by base64}.
-[[nodiscard]] std::string packed_table(const core::CsvTable& table);
+[[nodiscard]] nlohmann::ordered_json packed_table(const core::CsvTable& table);
 
 /// The images of runs for a page, as page/images.js reads them.
 struct PackedImages {

@@ -1,5 +1,7 @@
 #include "report/page_template.h"
 
+#include <nlohmann/json.hpp>
+
 namespace ink::report {
 
 std::string filled(std::string_view page, const std::map<std::string, std::string>& values) {
@@ -12,6 +14,18 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
         text += values.at(std::string(page.substr(open + 2, close - open - 2)));
         page.remove_prefix(close + 2);
     }
+}
+
+std::string page_json(const nlohmann::ordered_json& json) {
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    std::string safe;
+    for (const char c : json.dump(-1, ' ', false, replace)) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    }
+    return safe;
 }
 
 }  // namespace ink::report

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,9 @@ namespace ink::report {
 /// std::out_of_range for a name without a value.
 [[nodiscard]] std::string filled(std::string_view page,
                                  const std::map<std::string, std::string>& values);
+
+/// As text that may stand in a script element: "<" is written as an escape, and what is no UTF-8
+/// replaced.
+[[nodiscard]] std::string page_json(const nlohmann::ordered_json& json);
 
 }  // namespace ink::report
