@@ -27,6 +27,27 @@ glm::dvec3 axis(const scene::Camera& camera, int row) {
     return {m[0][row], m[1][row], m[2][row]};
 }
 
+/// What a place is told by, in the file's coordinates.
+struct Place {
+    scene::Box box;
+    glm::dvec3 center{0};
+    double radius = 0;
+};
+
+Place place_of(const scene::Scene& scene) {
+    const scene::Box box = scene::box_of(scene::flatten(scene).p_world);
+    const scene::Sphere sphere = scene::bounding_sphere(scene);
+    return {{box.low + scene.origin, box.high + scene.origin},
+            sphere.center_world + scene.origin,
+            sphere.radius};
+}
+
+/// On the line of sight, as far away as the centre is.
+glm::dvec3 target_of(const scene::Camera& camera, const scene::Sphere& sphere) {
+    const double away = glm::distance(camera.eye_world, sphere.center_world);
+    return camera.eye_world - (away > 0 ? away : sphere.radius) * axis(camera, 2);
+}
+
 }  // namespace
 
 void print_up(const std::string& scene, harness::UpAxis up) {
@@ -44,99 +65,71 @@ void print_not_heeded(const std::string& scene, const std::vector<std::string>& 
     fmt::print(stderr, "inkbench: {}: not heeded: {}\n", scene, fmt::join(notes, "; "));
 }
 
-Place place_of(const harness::SceneViews& scene_views) {
-    const scene::Surface surface = scene::flatten(scene_views.scene);
-    const scene::Sphere sphere = scene::bounding_sphere(scene_views.scene);
-    Place place;
-    place.origin = scene_views.scene.origin;
-    place.animations = scene_views.scene.file.animation_names;
-    place.not_heeded = scene_views.scene.file.notes;
-    place.center_world = sphere.center_world;
-    place.radius = sphere.radius;
-    place.up = scene_views.up;
-    scene::Box box;
-    for (const glm::dvec3& p : surface.p_world)
-        box.add(p);
-    place.low_world = box.low;
-    place.high_world = box.high;
-    for (const scene::View& view : scene_views.views) {
-        const scene::Camera& camera = view.camera;
-        const double away = glm::distance(camera.eye_world, sphere.center_world);
-        const double reach = away > 0 ? away : sphere.radius;
-        place.cameras.push_back({camera.name,
-                                 camera.eye_world,
-                                 camera.eye_world - reach * axis(camera, 2),
-                                 axis(camera, 1),
-                                 glm::degrees(camera.fov_y_rad),
-                                 camera.height_world});
-    }
-    for (glm::dvec3* p : {&place.low_world, &place.high_world, &place.center_world})
-        *p += place.origin;
-    for (Place::Camera& camera : place.cameras) {
-        camera.eye_world += place.origin;
-        camera.target_world += place.origin;
-    }
-    return place;
-}
-
-std::string as_text(const Place& place) {
-    const glm::dvec3 size = place.high_world - place.low_world;
-    const bool is_far = place.origin != glm::dvec3(0);
+std::string place_text(const harness::SceneViews& scene_views) {
+    const scene::Scene& scene = scene_views.scene;
+    const Place place = place_of(scene);
+    const bool is_far = scene.origin != glm::dvec3(0);
     const auto text_of = [&](const glm::dvec3& p) { return cli::text_of(p, is_far ? 15 : 9); };
-    std::string text = fmt::format(
+    std::string text;
+    if (is_far) {
+        text = fmt::format("origin {}, taken out of all coordinates before they became floats\n",
+                           text_of(scene.origin));
+    }
+    const glm::dvec3 size = place.box.high - place.box.low;
+    text += fmt::format(
         "box {} .. {} ({:.9g} x {:.9g} x {:.9g}), centre {}, radius "
         "{:.9g}\nup in views by name: {} (--up)\nviews, as options of a camera of your own:\n",
-        text_of(place.low_world),
-        text_of(place.high_world),
+        text_of(place.box.low),
+        text_of(place.box.high),
         size.x,
         size.y,
         size.z,
-        text_of(place.center_world),
+        text_of(place.center),
         place.radius,
-        name(place.up));
-    if (is_far) {
-        text = fmt::format("origin {}, taken out of all coordinates before they became floats\n",
-                           text_of(place.origin)) +
-               text;
+        name(scene_views.up));
+    const scene::Sphere sphere = scene::bounding_sphere(scene);
+    for (const auto& [camera, width_px, height_px] : scene_views.views) {
+        text += fmt::format(
+            "  {}  --eye {} --target {} --up {} --{} {:.9g}\n",
+            camera.name,
+            text_of(camera.eye_world + scene.origin),
+            text_of(target_of(camera, sphere) + scene.origin),
+            text_of(axis(camera, 1)),
+            camera.is_parallel() ? "parallel" : "fov",
+            camera.is_parallel() ? camera.height_world : glm::degrees(camera.fov_y_rad));
     }
-    for (const Place::Camera& camera : place.cameras) {
-        const bool is_parallel = camera.height_world > 0;
-        text += fmt::format("  {}  --eye {} --target {} --up {} --{} {:.9g}\n",
-                            camera.name,
-                            text_of(camera.eye_world),
-                            text_of(camera.target_world),
-                            text_of(camera.up_world),
-                            is_parallel ? "parallel" : "fov",
-                            is_parallel ? camera.height_world : camera.fov_deg);
+    int number = 0;
+    for (const std::string& animation : scene.file.animation_names) {
+        text += fmt::format(
+            "animation {}: {}\n", number++, animation.empty() ? "(no name)" : animation);
     }
-    for (std::size_t i = 0; i < place.animations.size(); ++i) {
-        text += fmt::format("animation {}: {}\n",
-                            i,
-                            place.animations[i].empty() ? "(no name)" : place.animations[i]);
-    }
-    for (const std::string& note : place.not_heeded)
+    for (const std::string& note : scene.file.notes)
         text += fmt::format("not heeded: {}\n", note);
     return text;
 }
 
-nlohmann::ordered_json as_json(const Place& place) {
+nlohmann::ordered_json place_json(const harness::SceneViews& scene_views) {
+    const scene::Scene& scene = scene_views.scene;
+    const Place place = place_of(scene);
     nlohmann::ordered_json json = {
-        {"box", {{"low", json_of(place.low_world)}, {"high", json_of(place.high_world)}}},
-        {"centre", json_of(place.center_world)},
+        {"box", {{"low", json_of(place.box.low)}, {"high", json_of(place.box.high)}}},
+        {"centre", json_of(place.center)},
         {"radius", place.radius},
-        {"up", name(place.up)},
-        {"origin", json_of(place.origin)},
-        {"animations", place.animations},
-        {"not_heeded", place.not_heeded},
+        {"up", name(scene_views.up)},
+        {"origin", json_of(scene.origin)},
+        {"animations", scene.file.animation_names},
+        {"not_heeded", scene.file.notes},
         {"cameras", nlohmann::ordered_json::object()}};
-    for (const Place::Camera& camera : place.cameras) {
-        json["cameras"][camera.name] = {{"eye", json_of(camera.eye_world)},
-                                        {"target", json_of(camera.target_world)},
-                                        {"up", json_of(camera.up_world)}};
-        if (camera.height_world > 0) {
-            json["cameras"][camera.name]["height"] = camera.height_world;
+    const scene::Sphere sphere = scene::bounding_sphere(scene);
+    for (const auto& [camera, width_px, height_px] : scene_views.views) {
+        auto& of_camera = json["cameras"][camera.name];
+        of_camera = {{"eye", json_of(camera.eye_world + scene.origin)},
+                     {"target", json_of(target_of(camera, sphere) + scene.origin)},
+                     {"up", json_of(axis(camera, 1))}};
+        if (camera.is_parallel()) {
+            of_camera["height"] = camera.height_world;
         } else {
-            json["cameras"][camera.name]["fov_deg"] = camera.fov_deg;
+            of_camera["fov_deg"] = glm::degrees(camera.fov_y_rad);
         }
     }
     return json;

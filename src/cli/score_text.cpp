@@ -26,39 +26,26 @@ std::string four_places(std::optional<double> value) {
     return value ? fmt::format("{:.4f}", *value) : "-";
 }
 
-Json counts_json(const score::Score& s) {
-    Json result = {
-        {"k", s.k},
-        {"n_pred", s.n_pred},
-        {"n_truth", s.n_truth},
-        {"f", or_null(s.f_of_truth())},
-        {"precision", or_null(s.precision())},
-        {"recall", or_null(s.recall())},
-        {"unmatched_duplicates", s.unmatched_duplicates},
-        {"false_positives", s.false_positives},
-        {"unmatched_truth", s.unmatched_truth},
-        {"false_negatives", s.false_negatives},
-        {"mean_width_px", or_null(mean_width(s))},
-        // Aliases for one release: the names of before.
-        {"surplus", s.unmatched_duplicates},
-        {"off_line", s.false_positives},
-        {"lost", s.unmatched_truth},
-        {"missing", s.false_negatives},
-        {"mean_width", or_null(mean_width(s))},
-        {"classes", Json::object()},
-    };
-    for (const score::ClassCount& c : s.classes)
-        result["classes"][std::to_string(c.label)] = {{"k", c.k}, {"n_truth", c.n_truth}};
-    result["class_names"] = Json::object();
-    for (const score::ClassCount& c : s.classes)
-        result["class_names"][std::to_string(c.label)] = given_images::label_text(c.label);
-    return result;
+/// Numbers by their columns; null where there is none.
+using Numbers = std::vector<std::pair<const char*, Json>>;
+
+Numbers numbers_of(const score::Score& s) {
+    return {{"f", or_null(s.f_of_truth())},
+            {"precision", or_null(s.precision())},
+            {"recall", or_null(s.recall())},
+            {"k", s.k},
+            {"n_pred", s.n_pred},
+            {"n_truth", s.n_truth},
+            {"unmatched_duplicates", s.unmatched_duplicates},
+            {"false_positives", s.false_positives},
+            {"unmatched_truth", s.unmatched_truth},
+            {"false_negatives", s.false_negatives},
+            {"mean_width_px", or_null(mean_width(s))}};
 }
 
-/// The numbers of grey lines by the names of rows.csv.
-std::vector<std::pair<const char*, std::optional<double>>> ink_numbers(
-    const score::SoftScore& soft) {
-    return {{"soft_f", soft.f()},
+/// Those of grey lines, by the names of rows.csv.
+Numbers numbers_of(const score::SoftScore& soft) {
+    return {{"soft_f", or_null(soft.f())},
             {"ink_line_width_px", soft.line_width_px},
             {"ink_matched_px", soft.matched_px},
             {"ink_misplaced_px", soft.misplaced_px},
@@ -66,10 +53,33 @@ std::vector<std::pair<const char*, std::optional<double>>> ink_numbers(
             {"ink_missing_px", soft.missing_px}};
 }
 
-void add_ink(const std::optional<score::SoftScore>& soft, Json& of) {
-    if (!soft) return;
-    for (const auto& [name, value] : ink_numbers(*soft))
-        of[name] = or_null(value);
+Json scored_json(const score::Score& s, const std::optional<score::SoftScore>& soft) {
+    Json result = Json::object();
+    for (const auto& [name, value] : numbers_of(s))
+        result[name] = value;
+    // The names of before.
+    result["surplus"] = s.unmatched_duplicates;
+    result["off_line"] = s.false_positives;
+    result["lost"] = s.unmatched_truth;
+    result["missing"] = s.false_negatives;
+    result["mean_width"] = or_null(mean_width(s));
+    result["classes"] = Json::object();
+    result["class_names"] = Json::object();
+    for (const score::ClassCount& c : s.classes) {
+        const std::string label = std::to_string(c.label);
+        result["classes"][label] = {{"k", c.k}, {"n_truth", c.n_truth}};
+        result["class_names"][label] = given_images::label_text(c.label);
+    }
+    if (!soft) return result;
+    for (const auto& [name, value] : numbers_of(*soft))
+        result[name] = value;
+    return result;
+}
+
+/// As in all tables; nothing for null.
+std::string csv_text(const Json& value) {
+    if (value.is_null()) return "";
+    return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
 }
 
 std::string ink_lines(const score::SoftScore& soft) {
@@ -96,8 +106,7 @@ std::string polarity_of(const given_images::FilesScore& scored) {
 }  // namespace
 
 std::string score_json(const given_images::FilesScore& scored) {
-    Json result = counts_json(scored.score);
-    add_ink(scored.soft, result);
+    Json result = scored_json(scored.score, scored.soft);
     result["polarity"] = scored.is_inverted ? "dark" : "light";
     result["band"] = scored.options.band_px;
     result["ignore"] =
@@ -191,9 +200,8 @@ std::string folder_json(const std::vector<given_images::FolderScore>& scores,
                         const std::vector<std::string>& unmatched) {
     Json result = {{"images", Json::object()}};
     for (const given_images::FolderScore& each : scores) {
-        Json image = each.score ? counts_json(*each.score) : Json::object();
+        Json image = each.score ? scored_json(*each.score, each.soft) : Json::object();
         image["status"] = each.status;
-        add_ink(each.soft, image);
         if (each.score) {
             image["notes"] = each.notes;
             image["doubts"] = each.doubts;
@@ -210,38 +218,23 @@ std::string folder_json(const std::vector<given_images::FolderScore>& scores,
 }
 
 std::string folder_csv(const std::vector<given_images::FolderScore>& scores) {
-    std::string text =
-        "image,status,f,precision,recall,k,n_pred,n_truth,unmatched_duplicates,false_positives,"
-        "unmatched_truth,false_negatives,mean_width_px";
-    const bool has_ink = std::any_of(
-        scores.begin(), scores.end(), [](const auto& each) { return each.soft.has_value(); });
-    for (const auto& [name, value] : ink_numbers({}))
-        if (has_ink) text += fmt::format(",{}", name);
-    text += "\n";
-    const auto number = [](std::optional<double> value) {
-        return value ? fmt::format("{}", *value) : "";
+    const bool has_ink =
+        std::ranges::any_of(scores, [](const auto& each) { return each.soft.has_value(); });
+    const auto numbers_of_all = [&](const given_images::FolderScore& each) {
+        Numbers numbers = numbers_of(each.score.value_or(score::Score{}));
+        if (!has_ink) return numbers;
+        for (auto& number : numbers_of(each.soft.value_or(score::SoftScore{})))
+            numbers.push_back(each.soft ? std::move(number) : std::pair(number.first, Json()));
+        return numbers;
     };
+    std::string text = "image,status";
+    for (const auto& [name, value] : numbers_of_all({}))
+        text += fmt::format(",{}", name);
+    text += "\n";
     for (const given_images::FolderScore& each : scores) {
         text += core::csv_field(each.name) + "," + core::csv_field(each.status);
-        if (!each.score) {
-            text += ",,,,,,,,,,,";
-        } else {
-            const score::Score& s = *each.score;
-            text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}",
-                                s.f(),
-                                number(s.precision()),
-                                number(s.recall()),
-                                s.k,
-                                s.n_pred,
-                                s.n_truth,
-                                s.unmatched_duplicates,
-                                s.false_positives,
-                                s.unmatched_truth,
-                                s.false_negatives,
-                                number(mean_width(s)));
-        }
-        for (const auto& [name, value] : ink_numbers(each.soft.value_or(score::SoftScore{})))
-            if (has_ink) text += "," + (each.soft ? number(value) : "");
+        for (const auto& [name, value] : numbers_of_all(each))
+            text += "," + (each.score ? csv_text(value) : "");
         text += "\n";
     }
     return text;

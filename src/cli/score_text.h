@@ -8,9 +8,8 @@
 
 namespace ink::cli {
 
-/// One score as JSON, with the names of folder_csv's columns, and those of rows.csv for the ink of
-/// grey lines. For one release the names of before
-/// stand beside them: surplus, off_line, lost, missing, mean_width.
+/// One score as JSON, with the names of folder_csv's columns. The names of before stand beside
+/// them: surplus, off_line, lost, missing, mean_width.
 [[nodiscard]] std::string score_json(const given_images::FilesScore& scored);
 
 /// One score as a table for a terminal.
@@ -27,7 +26,7 @@ namespace ink::cli {
 [[nodiscard]] std::string folder_json(const std::vector<given_images::FolderScore>& scores,
                                       const std::vector<std::string>& unmatched);
 
-/// The same as CSV, a line per image.
+/// The same as CSV, a line per image; the ink of grey lines by the names of rows.csv.
 [[nodiscard]] std::string folder_csv(const std::vector<given_images::FolderScore>& scores);
 
 }  // namespace ink::cli

@@ -67,11 +67,10 @@ void run_explain(const ExplainArgs& args) {
         inspect::explain(scene_views, configs.front(), asked.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);
-        json["place"] = as_json(place_of(scene_views));
+        json["place"] = place_json(scene_views);
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print(
-            "{}\n{}", as_text(place_of(scene_views)), inspect::as_text(explanation, args.all));
+        fmt::print("{}\n{}", place_text(scene_views), inspect::as_text(explanation, args.all));
     }
 }
 
