@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
-#include "cli/json_values.h"
 #include "cli/options/options.h"
 #include "cli/place.h"
 #include "core/interrupt.h"
@@ -27,62 +25,7 @@ namespace fs = std::filesystem;
 constexpr int kInvalid = 1;  ///< also where no cell has a score
 constexpr int kUnscored = 3;
 
-nlohmann::json methods_json(const std::vector<summary::MethodSummary>& summaries) {
-    return list_of(summaries, [](const summary::MethodSummary& s) -> nlohmann::json {
-        nlohmann::json method = {{"method", s.method},
-                                 {"views", s.views},
-                                 {"failed", s.failed},
-                                 {"f_2px", or_null(s.f.all)},
-                                 {"f_train", or_null(s.f.train)},
-                                 {"f_heldout", or_null(s.f.heldout)},
-                                 {"f_real", or_null(s.f.real)},
-                                 {"f_1px", or_null(s.f_1px)},
-                                 {"precision_2px", or_null(s.precision)},
-                                 {"recall_2px", or_null(s.recall)},
-                                 {"draw_ms", or_null(s.draw_ms)}};
-        if (s.soft_f.all) method["soft_f"] = *s.soft_f.all;
-        return method;
-    });
-}
-
-nlohmann::json answer_json(const summary::Comparison& comparison) {
-    const summary::Answer answer = comparison.answer();
-    const auto name_of = [](const summary::MethodSummary* s) {
-        return s == nullptr ? nlohmann::json(nullptr) : nlohmann::json(s->method);
-    };
-    return {{"method", name_of(answer.method)},
-            {"most_exact", name_of(answer.most_exact)},
-            {"measure", summary::name(comparison.measure())},
-            {"f_margin", comparison.rule.f_margin},
-            {"budget_ms", comparison.rule.budget_ms}};
-}
-
 using UnscoredCells = std::vector<summary::Unscored>;
-
-nlohmann::json unscored_json(const UnscoredCells& cells) {
-    return list_of(cells, [](const summary::Unscored& cell) -> nlohmann::json {
-        return {{"scene", cell.scene},
-                {"view", cell.view},
-                {"method", cell.method},
-                {"reason", cell.reason},
-                {"remedy", cell.remedy}};
-    });
-}
-
-nlohmann::json result_json(const experiment::RunData& run,
-                           const UnscoredCells& unscored,
-                           const fs::path& page) {
-    const experiment::RunRecord& record = run.record;
-    return {{"run", run.folder.string()},
-            {"kind", record.kind},
-            {"state", experiment::name(record.state)},
-            {"page", page.string()},
-            {"methods", methods_json(run.comparison.summaries)},
-            {"answer", answer_json(run.comparison)},
-            {"unscored", unscored_json(unscored)},
-            {"missing", record.missing_blocks},
-            {"faults", record.faults}};
-}
 
 report::Missing missing_of(const experiment::RunRecord& record) {
     return {static_cast<int>(record.missing_blocks.size()), record.blocks};
@@ -150,7 +93,7 @@ void write_verdict(const fs::path& folder) {
     write_verdict_of(run);
 }
 
-void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, bool is_json) {
+void conclude(const experiment::RunOutcome& outcome, const fs::path& folder) {
     experiment::RunData run = experiment::read_run(folder);
     const fs::path page = folder / "report.html";
     report::write_run_page({run}, page);
@@ -161,15 +104,11 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     const std::string busy = busy_text(run.tables);
     experiment::keep_one_place(run.tables);
     write_verdict_of(run);
-    if (is_json) {
-        fmt::print("{}\n", result_json(run, unscored, page).dump(2));
-    } else {
-        if (is_comparison(run)) print_comparison(run);
-        fmt::print("{}", studies::hardest_text(run.tables.hardest));
-        fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
-        if (!run.finding.first.empty()) fmt::print("{}.\n", run.finding.first);
-        fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
-    }
+    if (is_comparison(run)) print_comparison(run);
+    fmt::print("{}", studies::hardest_text(run.tables.hardest));
+    fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
+    if (!run.finding.first.empty()) fmt::print("{}.\n", run.finding.first);
+    fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
     std::fflush(stdout);
     print_warnings(run.record, unscored, busy, folder);
     if (is_without_score) fmt::print(stderr, "inkbench: not one cell has a score\n");

@@ -83,7 +83,6 @@ class Score:
     mean_width_px: Final[float]
     classes: Final[list[ClassScore]]
 
-def scenes() -> list[dict[str, Any]]: ...
 def methods() -> list[dict[str, Any]]: ...
 def truth(
     scene: _Scene,

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"
@@ -30,23 +29,6 @@ namespace ink::python {
 namespace {
 
 namespace py = pybind11;
-
-py::list scenes() {
-    py::list list;
-    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
-        py::list views;
-        for (const scene::Camera& camera : entry.make().cameras)
-            views.append(camera.name);
-        py::dict of;
-        of["name"] = entry.name;
-        of["split"] = scene::split_name(entry.split);
-        of["kind"] = entry.kind;
-        of["views"] = views;
-        of["summary"] = entry.summary;
-        list.append(of);
-    }
-    return list;
-}
 
 py::list methods() {
     py::list list;
@@ -235,9 +217,6 @@ PYBIND11_MODULE(inkbench, module) {
     add_results(module);
     add_camera(module);
     add_buffers(module);
-    module.def("scenes",
-               &scenes,
-               "The built-in scenes: a dict each, with name, split, kind, views and summary.");
     module.def(
         "methods",
         &methods,

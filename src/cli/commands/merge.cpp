@@ -12,7 +12,6 @@ namespace {
 struct MergeArgs {
     std::vector<std::string> folders;
     std::string out;
-    bool is_json = false;
     bool is_partial = false;
 };
 
@@ -28,7 +27,6 @@ void add_merge_command(CLI::App& app) {
     rows.flag("--partial",
               args->is_partial,
               "Take what is there: tables and page of a run that is not finished");
-    rows.flag("--json", args->is_json, "Print the result as JSON");
     command->footer(
         "Example: inkbench merge part1 part2 part3 --out inkbench-out/quality\n"
         "Exit codes: 0 done; 1 the run is invalid or nothing has a score; 2 bad input: shards "
@@ -37,7 +35,7 @@ void add_merge_command(CLI::App& app) {
     command->callback([args] {
         const experiment::RunOutcome outcome = experiment::merge_shards(
             {args->folders.begin(), args->folders.end()}, args->out, args->is_partial);
-        conclude(outcome, args->out, args->is_json);
+        conclude(outcome, args->out);
     });
 }
 

@@ -40,7 +40,6 @@ struct ScoreArguments {
     std::string csv;
     std::string markdown;
     std::optional<double> fail_under;
-    bool is_inverted = false;
     bool no_thin = false;
     bool as_json = false;
 };
@@ -152,7 +151,6 @@ void score_all(const ScoreArguments& a) {
 
 void run_score(ScoreArguments a, const CLI::App& command) {
     a.request.options.thin = !a.no_thin;
-    if (a.is_inverted) a.request.polarity = harness::Polarity::dark_on_light;
     const experiment::Experiment asked = a.options.read();
     a.request.intersections = asked.intersections;
     a.request.line_width_px = scored_width_px(asked);
@@ -189,7 +187,6 @@ void add_scoring_options(CLI::App& command, ScoreArguments& a) {
     rows.choice("--polarity", a.request.polarity, {"auto", "light", "dark"},
                 "Lines are light on dark, dark on light, or auto: dark where more than three "
                 "quarters of the image are light");
-    rows.flag("--invert", a.is_inverted, "The same as --polarity dark");
     rows.flag("--no-thin", a.no_thin, "Do not thin the prediction");
     rows.number("--band", a.request.band_px, {0, 16384}, "PX",
                 "Leave out this many pixels along the frame (default: what the truth says, else "

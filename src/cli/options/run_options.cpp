@@ -144,7 +144,6 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
     rows.flag("--status", options.is_status,
               "Say how far the run has come, with its shares in DIR.parts/I-of-N");
     add_quiet_option(command);
-    rows.flag("--json", options.is_json, "Print the result as JSON");
     // clang-format on
 }
 
@@ -172,7 +171,7 @@ void run_to_end(const CLI::App& command,
                 const CacheOptions& cache) {
     if (experiment.command.empty()) {
         experiment.command = recorded_command(
-            command, {"--out", "--shard", "--force", "--json", "--dry-run", "--status", "--lanes"});
+            command, {"--out", "--shard", "--force", "--dry-run", "--status", "--lanes"});
     }
     if (options.no_times) experiment.times = false;
     experiment::RunOptions run;
@@ -196,7 +195,7 @@ void run_to_end(const CLI::App& command,
     const core::InterruptGuard guard(kGoesOn);
     const experiment::RunOutcome outcome = run_experiment(plan, run);
     if (run.shard.is_all()) {
-        conclude(outcome, run.out, options.is_json);
+        conclude(outcome, run.out);
         return;
     }
     if (outcome.is_interrupted) end_interrupted(kGoesOn);

@@ -17,12 +17,11 @@ struct RunFolderOptions {
     bool is_forced = false;
     std::optional<int> lanes = {};  ///< none: as many as there are cores for
     bool no_times = false;
-    bool is_json = false;
     bool is_dry = false;
     bool is_status = false;
 };
 
-/// Adds --out, --shard, --force, --no-times, --lanes, --quiet, --json, --dry-run and --status to a
+/// Adds --out, --shard, --force, --no-times, --lanes, --quiet, --dry-run and --status to a
 /// command.
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
 
