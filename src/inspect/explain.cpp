@@ -110,69 +110,37 @@ std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
     return facts;
 }
 
-std::vector<Fact> facts_of(const scene::ViewStatistics& v) {
-    return {
-        {"near", v.near, "world", "nearest visible point of the scene's bounding sphere"},
-        {"far", v.far, "world", "its farthest point"},
-        {"depth_ratio", v.depth_ratio(), "times", "far over near"},
-        flag("inside", v.is_inside, "the eye is inside the bounding sphere"),
-        {"frame_share", 100 * v.frame_share, "%", "of the image is covered by the bounding sphere"},
-        {"px_per_triangle", v.px_per_triangle, "px", "of that, per triangle"},
-    };
-}
-
 std::string value_of(const Fact& fact) {
     if (fact.is_flag) return fact.value != 0 ? "yes" : "no";
     return fmt::format("{:.7g}", fact.value);
 }
 
-/// A length of no edges would be a line for nothing; JSON has it.
-bool is_shown(const Fact& fact, bool is_whole) {
-    const bool is_length = fact.name.ends_with("_length");
-    if (is_whole) return !is_length || fact.value != 0;
-    const bool is_detail =
-        is_length || fact.name.starts_with("deviations_") || fact.name.starts_with("crease_gap_");
+/// What a scene has not, and details, JSON has.
+bool is_shown(const Fact& fact) {
+    const bool is_detail = fact.name.ends_with("_length") || fact.name.starts_with("deviations_") ||
+                           fact.name.starts_with("crease_gap_");
     return fact.is_flag || (fact.value != 0 && !is_detail);
-}
-
-std::string text_of(const std::vector<Fact>& facts, bool is_whole) {
-    std::string text;
-    for (const Fact& fact : facts) {
-        if (!is_shown(fact, is_whole)) continue;
-        text += fmt::format(
-            "  {:<20} {:>12} {:<10} {}\n", fact.name, value_of(fact), fact.unit, fact.doc);
-    }
-    return text;
 }
 
 }  // namespace
 
-Explanation explain(const harness::SceneViews& scene_views,
+Explanation explain(const scene::Scene& scene,
                     const method::MethodConfig& config,
                     double crease_deg) {
-    const auto statistics =
-        scene::make_scene_statistics(scene_views.scene, glm::radians(crease_deg));
-    Explanation explanation{scene_views.scene.name, facts_of(statistics)};
-    for (const scene::View& view : scene_views.views) {
-        explanation.views.push_back(
-            {view.camera.name, facts_of(scene::make_view_statistics(statistics, view))});
-    }
-    harness::PreparedMethod prepared(config, scene_views.scene);
+    const auto statistics = scene::make_scene_statistics(scene, glm::radians(crease_deg));
+    harness::PreparedMethod prepared(config, scene);
     if (!prepared.failure().empty()) {
         throw core::Error(config.info->name, prepared.failure(), "a scene that it can prepare");
     }
-    explanation.method = config.info->name;
-    explanation.plan = prepared.method().plan();
-    return explanation;
+    return {scene.name, facts_of(statistics), config.info->name, prepared.method().plan()};
 }
 
-std::string as_text(const Explanation& explanation, bool is_whole) {
+std::string as_text(const Explanation& explanation) {
     std::string text = fmt::format("{}: its scene statistics\n", explanation.scene);
-    text += text_of(explanation.facts, is_whole);
-    for (const ViewFacts& view : explanation.views) {
-        if (!is_whole) break;
+    for (const Fact& fact : explanation.facts) {
+        if (!is_shown(fact)) continue;
         text += fmt::format(
-            "\n{}, seen from {}\n{}", explanation.scene, view.view, text_of(view.facts, true));
+            "  {:<20} {:>12} {:<10} {}\n", fact.name, value_of(fact), fact.unit, fact.doc);
     }
     text += fmt::format("\n{}: what it chose, and why\n", explanation.method);
     for (const method::PlanLine& line : explanation.plan)

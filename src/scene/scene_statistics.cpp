@@ -97,7 +97,6 @@ NearSheets find_near_sheets(const Topology& topology, const Components& componen
 }
 
 constexpr std::size_t kMostPairs = 1'000'000;
-constexpr int kProbes = 80;  // a side
 
 double length_of(const Topology& topology, const Edge& edge) {
     return glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
@@ -251,37 +250,6 @@ SceneStatistics make_scene_statistics(const PreparedScene& scene, double crease_
     statistics.cracked_corners = count_cracked_corners(topology);
     statistics.extent_ratio = extent_ratio(topology);
     return statistics;
-}
-
-ViewStatistics make_view_statistics(const SceneStatistics& statistics, const View& view) {
-    ViewStatistics seen;
-    const Sphere& ball = statistics.bounds;
-    if (statistics.triangles == 0 || view.width_px < 1 || view.height_px < 1) return seen;
-    const Projection projection(view);
-    const glm::dvec3 centre_view = projection.to_view(ball.center_world);
-    seen.is_inside =
-        (projection.is_parallel() ? -centre_view.z : glm::length(centre_view)) < ball.radius;
-    const double far = -centre_view.z + ball.radius;
-    if (far > view.camera.near) {
-        seen.near = std::max(-centre_view.z - ball.radius, view.camera.near);
-        seen.far = far;
-    }
-    int hits = 0;
-    for (int y = 0; y < kProbes; ++y) {
-        for (int x = 0; x < kProbes; ++x) {
-            const double x_px = (x + 0.5) * view.width_px / kProbes;
-            const double y_px = (y + 0.5) * view.height_px / kProbes;
-            const glm::dvec3 ray = glm::normalize(projection.ray_world(x_px, y_px));
-            const glm::dvec3 way = ball.center_world - projection.ray_begin_world(x_px, y_px);
-            const double along = glm::dot(ray, way);
-            const double miss_2 = glm::dot(way, way) - along * along;
-            hits += seen.is_inside || (along > 0 && miss_2 <= ball.radius * ball.radius);
-        }
-    }
-    seen.frame_share = static_cast<double>(hits) / (kProbes * kProbes);
-    const double covered_px = seen.frame_share * view.width_px * view.height_px;
-    seen.px_per_triangle = covered_px / static_cast<double>(statistics.triangles);
-    return seen;
 }
 
 }  // namespace ink::scene

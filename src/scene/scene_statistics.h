@@ -96,22 +96,4 @@ inline constexpr double kCrackShare = 1e-4;
 /// zeros.
 [[nodiscard]] SceneStatistics make_scene_statistics(const PreparedScene& scene, double crease_rad);
 
-/// What one view sees of it.
-struct ViewStatistics {
-    double near =
-        0;  ///< least and largest distance along the view direction that the bounding sphere
-    double far = 0;              ///< has before the near plane; both 0 if it has none
-    bool is_inside = false;      ///< the eye is in the bounding sphere
-    double frame_share = 0;      ///< of the image that the bounding sphere covers, 0..1
-    double px_per_triangle = 0;  ///< covered pixels over all triangles: 0 without any
-
-    /// How many times farther the farthest thing can be than the nearest; 1 if nothing is there.
-    [[nodiscard]] double depth_ratio() const { return near > 0 ? far / near : 1; }
-};
-
-/// The scene statistics of a view. `frame_share` is exact to a quarter of a percent: rays are
-/// asked.
-[[nodiscard]] ViewStatistics make_view_statistics(const SceneStatistics& statistics,
-                                                  const View& view);
-
 }  // namespace ink::scene

@@ -195,7 +195,6 @@ TEST(SceneStatistics, OfAnEmptySceneIsZeros) {
     EXPECT_EQ(statistics.components, 0U);
     EXPECT_FALSE(statistics.is_watertight());
     EXPECT_FALSE(statistics.may_hide());
-    EXPECT_EQ(make_view_statistics(statistics, {{}, 640, 360}).frame_share, 0);
 }
 
 TEST(SceneStatistics, TheOrderOfObjectsDoesNotMatter) {
@@ -208,47 +207,6 @@ TEST(SceneStatistics, TheOrderOfObjectsDoesNotMatter) {
     EXPECT_EQ(one.deviations, other.deviations);
     EXPECT_EQ(one.convex_components, other.convex_components);
     EXPECT_EQ(one.overlapping_components, other.overlapping_components);
-}
-
-/// A ball of radius 1 at the origin, seen from `distance` along z.
-ViewStatistics ball_from(double distance) {
-    SceneStatistics statistics;
-    statistics.triangles = 100;
-    statistics.bounds = {{0, 0, 0}, 1};
-    View view{look_at({0, 0, distance}, {0, 0, 0}, {0, 1, 0}, kRightAngle_rad), 400, 400};
-    view.camera.near = 0.5;
-    return make_view_statistics(statistics, view);
-}
-
-TEST(ViewStatistics, KnowsHowDeepTheSceneIs) {
-    EXPECT_DOUBLE_EQ(ball_from(3).near, 2);
-    EXPECT_DOUBLE_EQ(ball_from(3).far, 4);
-    EXPECT_DOUBLE_EQ(ball_from(3).depth_ratio(), 2);
-    EXPECT_FALSE(ball_from(3).is_inside);
-}
-
-TEST(ViewStatistics, AnEyeInsideSeesAllRoundFromTheNearPlaneOn) {
-    const ViewStatistics inside = ball_from(0.25);
-    EXPECT_TRUE(inside.is_inside);
-    EXPECT_DOUBLE_EQ(inside.near, 0.5);
-    EXPECT_DOUBLE_EQ(inside.far, 1.25);
-    EXPECT_EQ(inside.frame_share, 1);
-}
-
-TEST(ViewStatistics, SharesTheFrameAsTheBallsCircleDoes) {
-    // The circle's radius in an image that is 2 wide at distance 1: tan(asin(1/3)) = 1 / sqrt(8).
-    const double share = std::numbers::pi / 8 / 4;
-    EXPECT_NEAR(ball_from(3).frame_share, share, 0.0025);
-    EXPECT_NEAR(ball_from(3).px_per_triangle, share * 400 * 400 / 100, 4);
-}
-
-TEST(ViewStatistics, ABallBehindTheEyeIsNotThere) {
-    SceneStatistics statistics;
-    statistics.triangles = 1;
-    statistics.bounds = {{0, 0, 10}, 1};
-    const View away{look_at({0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 1), 64, 64};
-    EXPECT_EQ(make_view_statistics(statistics, away).frame_share, 0);
-    EXPECT_EQ(make_view_statistics(statistics, away).depth_ratio(), 1);
 }
 
 }  // namespace

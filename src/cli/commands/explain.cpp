@@ -25,7 +25,6 @@ struct ExplainArgs {
     std::string view;
     std::vector<std::string> settings;
     ExperimentOptions options;
-    bool all = false;
     bool json = false;
 };
 
@@ -45,9 +44,6 @@ Json json_of(const std::vector<inspect::Fact>& facts) {
 
 Json json_of(const inspect::Explanation& explanation) {
     Json json = {{"scene", explanation.scene}, {"statistics", json_of(explanation.facts)}};
-    json["views"] = Json::object();
-    for (const inspect::ViewFacts& view : explanation.views)
-        json["views"][view.view] = json_of(view.facts);
     json["plan"] = list_of<Json>(explanation.plan, [](const method::PlanLine& line) -> Json {
         return {{"what", line.what}, {"why", line.why}};
     });
@@ -64,13 +60,13 @@ void run_explain(const ExplainArgs& args) {
                                                 ? harness::load_scenes({scene}, request).front()
                                                 : harness::load_one_view(scene, args.view, request);
     const inspect::Explanation explanation =
-        inspect::explain(scene_views, configs.front(), asked.crease_deg);
+        inspect::explain(scene_views.scene, configs.front(), asked.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);
         json["place"] = place_json(scene_views);
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n{}", place_text(scene_views), inspect::as_text(explanation, args.all));
+        fmt::print("{}\n{}", place_text(scene_views), inspect::as_text(explanation));
     }
 }
 
@@ -88,8 +84,9 @@ void add_explain_command(CLI::App& app) {
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(
         *command, {"measure.crease_deg"}, "Crease angle of the scene statistics, and of auto");
-    rows.flag("--all", args->all, "All of it, with facts of each view");
-    rows.flag("--json", args->json, "Print JSON instead of text");
+    rows.flag("--json",
+              args->json,
+              "Print JSON instead of text, with facts that are 0 and lengths of edges");
     command->footer(
         "Example: inkbench explain torus --crease 60\n"
         "Exit codes: 0 done, 2 bad input.");
