@@ -13,6 +13,7 @@
 #include "draw/palette.h"
 #include "edge/thin.h"
 #include "edge/threshold.h"
+#include "image_io/image_file.h"
 #include "methods/antialias.h"
 #include "shade/lay_ink.h"
 
@@ -122,6 +123,10 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
     const RgbImage image = shade::compose(lines, std::move(under), ink);
     drawing.image = shade::dither(shade::average(image, n), options.dither);
     return drawing;
+}
+
+void write_drawing(const RgbImage& image, const std::filesystem::path& path) {
+    image_io::write_png(image, path, {{image_io::kMixedText, "linear"}});
 }
 
 std::vector<method::Layer> draw_layers(const harness::SceneViews& scene_views,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -54,6 +55,10 @@ struct Drawing {
 [[nodiscard]] Drawing make_drawing(const harness::SceneViews& scene_views,
                                    const method::MethodConfig& config,
                                    const DrawOptions& options);
+
+/// Writes a finished drawing as PNG, which says how its ink is mixed. Throws core::Error if the
+/// file cannot be written.
+void write_drawing(const RgbImage& image, const std::filesystem::path& path);
 
 /// What the method has inside on the first view of `scene_views`, at the view's size; empty for
 /// methods that show nothing. Of the options threads and skips alone are read, and change nothing.

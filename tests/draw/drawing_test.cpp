@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "draw/image_output.h"
 #include "draw/palette.h"
 #include "harness/images/outline_image.h"
 #include "methods/method_configs.h"

@@ -7,7 +7,6 @@
 
 #include "catalogue/shapes.h"
 #include "draw/exr_layers.h"
-#include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"

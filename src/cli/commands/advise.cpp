@@ -18,12 +18,12 @@
 #include "core/vocabulary.h"
 #include "draw/drawing.h"
 #include "draw/error_image.h"
-#include "draw/image_output.h"
 #include "experiment/experiment_run.h"
 #include "experiment/options/view_rows.h"
 #include "experiment/run_data.h"
 #include "harness/clock/timing.h"
 #include "harness/images/view_images.h"
+#include "image_io/image_file.h"
 #include "report/text/answer_text.h"
 #include "summary/summary.h"
 #include "summary/summary_csv.h"
@@ -229,7 +229,7 @@ void write_picture(const fs::path& cache, const Advice& advice) {
     const auto labels =
         advice.is_crowded ? traced.truth.with_crowded->labels : traced.truth.counted_labels();
     const auto marked = draw::mark_errors(labels, drawing.edge_responses, marks);
-    draw::write_colours(draw::error_image(marked), advice.picture);
+    image_io::write_png(draw::error_image(marked), advice.picture);
 }
 
 /// The rows of every method on every view; the run lives in `folder`.

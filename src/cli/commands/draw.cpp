@@ -13,9 +13,9 @@
 #include "core/error.h"
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"
-#include "draw/image_output.h"
 #include "experiment/options/view_rows.h"
 #include "harness/cells/skip_switches.h"
+#include "image_io/image_file.h"
 #include "methods/method_configs.h"
 
 namespace ink::cli {
@@ -68,7 +68,7 @@ void write_layer(const DrawArgs& args,
                  const method::MethodConfig& config,
                  const draw::DrawOptions& options) {
     const method::Layer layer = draw::draw_layer(scene_views, config, args.layer, options);
-    draw::write_colours(layer.rgb, args.file);
+    image_io::write_png(layer.rgb, args.file);
     fmt::print("{}\n", args.file);
 }
 
@@ -96,9 +96,9 @@ void run_draw(const DrawArgs& args) {
         const auto layers = draw::draw_layers(scene_views, config, options);
         draw::write_drawing_exr(scene_views, config, drawing, layers, path);
     } else if (args.edge_response) {
-        draw::write_responses(drawing.edge_responses, path);
+        image_io::write_png(drawing.edge_responses, path);
     } else if (args.no_lines) {
-        draw::write_colours(drawing.shading, path);
+        image_io::write_png(drawing.shading, path);
     } else {
         draw::write_drawing(drawing.image, path);
     }

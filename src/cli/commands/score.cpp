@@ -13,10 +13,10 @@
 #include "cli/traced_view.h"
 #include "core/error.h"
 #include "core/whole_file.h"
-#include "draw/image_output.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/options/view_rows.h"
 #include "harness/images/out_folder.h"
+#include "image_io/image_file.h"
 #include "score/coverage.h"
 
 namespace ink::cli {
@@ -106,7 +106,7 @@ void score_pair(const ScoreArguments& a, const CLI::App& command) {
     const given_images::FilesScore scored =
         a.model.empty() ? given_images::score_files(a.prediction, a.truth, a.request)
                         : score_against_model(a, command, truth_name);
-    if (!a.picture.empty()) draw::write_colours(given_images::picture_of(scored), a.picture);
+    if (!a.picture.empty()) image_io::write_png(given_images::picture_of(scored), a.picture);
     given_images::FolderScore line{a.prediction.filename().string()};
     if (scored.score.n_truth > 0) {
         line.score = scored.score;
@@ -128,7 +128,7 @@ void score_all(const ScoreArguments& a) {
         if (a.picture.empty()) return;
         const fs::path path = fs::path(a.picture) / (name + ".png");
         harness::make_out_folder(path.parent_path());
-        draw::write_colours(given_images::picture_of(scored), path);
+        image_io::write_png(given_images::picture_of(scored), path);
     };
     const auto scores = given_images::score_folders(a.prediction, a.truth, a.request, draw_picture);
     write_tables(a, scores);

@@ -15,14 +15,15 @@
 #include "core/parallel.h"
 #include "core/split_list.h"
 #include "core/whole_file.h"
+#include "draw/error_image.h"
 #include "draw/exr_layers.h"
-#include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/options/view_rows.h"
 #include "harness/images/out_folder.h"
 #include "harness/images/view_images.h"
 #include "harness/truths/tracing.h"
+#include "image_io/image_file.h"
 #include "inspect/crosscheck_report.h"
 
 namespace ink::cli {
@@ -156,7 +157,8 @@ void run_truth(TruthArgs args, const CLI::App& command) {
     if (args.file) write_truth(traced, origin, *args.file);
     if (args.svg) write_truth(traced, origin, *args.svg);
     if (args.drawing.place) write_drawings(traced.model, traced.scene_views, args.drawing);
-    if (args.image) draw::write_truth_image(traced.truth.counted_labels(), *args.image);
+    if (args.image)
+        image_io::write_png(draw::truth_image(traced.truth.counted_labels()), *args.image);
     fmt::print("{} {}\n{}",
                scene.name,
                traced.view().camera.name,
