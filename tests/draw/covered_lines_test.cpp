@@ -96,16 +96,6 @@ TEST(CoveredLines, APieceSeenEndOnIsNoLine) {
     EXPECT_TRUE(cut({piece({3, 3}, {3, 3})}, {piece({3, 3}, {3, 3})}).curves.empty());
 }
 
-TEST(CoveredLines, AWholeStackLeavesOneOfEachStretch) {
-    std::vector<Curve> stack;
-    for (int i = 0; i < 200; ++i)
-        stack.push_back(piece({i, i * 0.5}, {i + 50, (i + 50) * 0.5}));
-    double sum = 0;
-    for (const Curve& curve : cut(stack).curves)
-        sum += std::hypot(curve.end.x_px - curve.begin.x_px, curve.end.y_px - curve.begin.y_px);
-    EXPECT_NEAR(sum, 249 * std::hypot(1, 0.5), 1e-6);
-}
-
 struct Segment {
     glm::dvec2 a, b;
 };

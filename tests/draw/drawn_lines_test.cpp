@@ -46,38 +46,6 @@ std::map<LineClass, double> lengths(const std::vector<Polyline>& lines) {
     return sum;
 }
 
-std::size_t pieces(const std::vector<Polyline>& lines, LineClass line_class) {
-    std::size_t count = 0;
-    for (const Polyline& line : lines)
-        count += line.line_class == line_class ? line.curves.size() : 0;
-    return count;
-}
-
-scene::Scene cube() {
-    return truth::scene_of({truth::box({-1, -1, -1}, {1, 1, 1})});
-}
-
-TEST(DrawnLines, ACubeFromACornerShowsNineEdgesAndHidesThree) {
-    const DrawnLines lines = drawn(cube(), view_from({5, 5, 5}, {0, 0, 0}));
-    ASSERT_EQ(lines.visible.size(), 4U) << "the outline, and three creases that meet";
-    EXPECT_EQ(pieces(lines.visible, LineClass::contour), 6U);
-    EXPECT_EQ(pieces(lines.visible, LineClass::crease), 3U);
-    ASSERT_EQ(lines.hidden.size(), 3U);
-    EXPECT_EQ(pieces(lines.hidden, LineClass::crease), 3U);
-}
-
-TEST(DrawnLines, ACubeFromTheFrontHidesEightEdgesBehindItsFace) {
-    const DrawnLines lines = drawn(cube(), view_from(6));
-    ASSERT_EQ(lines.visible.size(), 1U);
-    EXPECT_EQ(pieces(lines.visible, LineClass::contour), 4U);
-    EXPECT_EQ(pieces(lines.hidden, LineClass::crease), 8U);
-    // 2 units at distance 7; the edges in between run from there to the corners at distance 5.
-    const double far = kFocal_px * 2 / 7, near = kFocal_px * 2 / 5;
-    EXPECT_NEAR(lengths(lines.hidden)[LineClass::crease],
-                4 * far + 4 * (near - far) / 2 * std::sqrt(2.0),
-                1e-9);
-}
-
 TEST(DrawnLines, ABoxBehindABoxIsDashedWhereThatCoversIt) {
     const scene::Scene scene = truth::scene_of(
         {truth::box({-1, -1, 2}, {1, 1, 2.5}), truth::box({-2, -0.2, -1}, {2, 0.2, 0})});

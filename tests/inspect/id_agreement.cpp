@@ -1,6 +1,5 @@
 #include "tests/inspect/id_agreement.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/views/corner_view.h"
@@ -17,14 +16,6 @@ void expect_same_ids(const scene::Scene& scene,
                      DepthFormat depth,
                      const char* what) {
     const IdAgreement ids = compare_ids(scene, view, depth);
-    fmt::print("{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} else\n",
-               scene.name,
-               view.camera.name,
-               what,
-               ids.covered,
-               ids.near_edge,
-               ids.near_depth,
-               ids.in_floats + ids.other);
     EXPECT_EQ(ids.in_floats + ids.other, 0U)
         << scene.name << " " << view.camera.name << " " << what;
     EXPECT_GT(ids.covered, 0U) << scene.name << " " << view.camera.name << " " << what;

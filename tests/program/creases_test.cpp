@@ -51,20 +51,6 @@ TEST(Creases, OfBakedEdgesKeepTheAngleThatTheyWereBakedWith) {
     EXPECT_NE(image("--creases file"), image("--creases angle"));
 }
 
-TEST(Creases, AreInEveryRow) {
-    const Desk desk;
-    expect_done(desk, "export cube --size 96x54 -o cube --truth none");
-    expect_done(desk, fmt::format("bake {} -o marked.glb --edges", exported_glb(desk, "cube")));
-    for (const std::string creases : {"file", "angle"}) {
-        expect_done(desk,
-                    "compare --scenes marked.glb --methods ids --views 1 --size 160x90 --no-times "
-                    "--no-crosscheck --quiet --force --out out --creases " +
-                        creases);
-        for (const auto& row : rows_of(desk))
-            EXPECT_EQ(row.at("creases"), creases);
-    }
-}
-
 TEST(Creases, OfAFileThatMarksNoneAndOtherWordsAreRefused) {
     expect_all_refused(Desk(),
                        {},

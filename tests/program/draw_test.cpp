@@ -53,18 +53,6 @@ TEST(Draw, AColourIsTheSameInBothSpellings) {
     EXPECT_EQ(draw(desk, {"--ink", "#c02000"}), draw(desk, {"--ink", "192,32,0"}));
 }
 
-TEST(Draw, AntialiasedResponsesHaveShadesOfGrey) {
-    const Desk desk;
-    EXPECT_NE(draw(desk, {"--response", "--antialias", "4"}), draw(desk, {"--response"}));
-}
-
-TEST(Draw, ShadingGoesToLayersOfAnExr) {
-    const Desk desk;
-    const std::string file = draw(desk, {"--shading", "toon"}, "a.exr");
-    EXPECT_THAT(file, AllOf(HasSubstr("shading.R"), HasSubstr("response.Y")));
-    EXPECT_THAT(draw(desk, {}, "a.exr"), testing::Not(HasSubstr("shading.R")));
-}
-
 TEST(Draw, LayersOfAMethodAreImages) {
     const Desk desk;
     const std::string drawing = draw(desk, {});

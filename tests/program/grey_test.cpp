@@ -54,32 +54,6 @@ TEST(GreyLines, NeedATruthThatSaysWhatItCovers) {
                         {"--model cube --line-width 9", "0.25..4"}});
 }
 
-TEST(GreyLines, AreMethodsOfTheirOwnInAComparison) {
-    const Desk desk;
-    expect_done(desk,
-                "compare --scenes torus --methods id_lookup,mote4 --size 320x180 --quick --out out "
-                "--images none --coverage --line-width 2 --antialias none,resolve4");
-    std::map<std::string, std::map<std::string, std::string>> rows;
-    for (const auto& row : rows_of(desk))
-        rows[row.at("method")] = row;
-    const auto number = [&](const std::string& method, const char* column) {
-        return std::stod(rows.at(method).at(column));
-    };
-    for (const char* method : {"id_lookup", "id_lookup_resolve4", "mote4", "mote4_resolve4"}) {
-        EXPECT_EQ(number(method, "ink_line_width_px"), 2);
-        const double shared = number(method, "ink_matched_px");
-        const double beside = number(method, "ink_misplaced_px");
-        const double drawn = shared + beside + number(method, "ink_surplus_px");
-        const double of_truth = shared + beside + number(method, "ink_missing_px");
-        EXPECT_NEAR(number(method, "soft_f"), 2 * shared / (drawn + of_truth), 1e-9);
-    }
-    EXPECT_GT(number("id_lookup_resolve4", "soft_f"), number("id_lookup", "soft_f"));
-    EXPECT_EQ(number("mote4_resolve4", "bytes_per_px"), 4 * number("mote4", "bytes_per_px"));
-    EXPECT_EQ(rows.at("oracle").at("soft_f"), "1");
-    EXPECT_EQ(rows.at("none").at("soft_f"), "0");
-    EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("coverage = true"));
-}
-
 TEST(GreyLines, AreWhatTheAnswerIsByWhereAMethodOfInkIsNamed) {
     const Desk desk;
     const std::string quick = "compare --scenes torus --size 320x180 --quick --images none --out ";

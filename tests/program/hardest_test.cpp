@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -11,29 +10,13 @@ namespace ink::program {
 namespace {
 
 using testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
-
-Words small_search(const std::string& out) {
-    return fmt::format(
-        "stress --hardest mote4 --against ids --scenes rocket,staircase,gear --evaluations 30 "
-        "--least-truth 40 --worst 2 --size 128x72 --seed 3 --no-cache --out {}",
-        out);
-}
-
-/// What must be the same however often the run was killed.
-std::string bytes_of(const Desk& desk, const std::string& folder) {
-    std::string text;
-    for (const char* name : {"hardest.csv", "rows.csv", "curves.csv", "bins.csv"}) {
-        const std::string one = desk.read(folder + "/" + name);
-        EXPECT_NE(one, "") << folder << "/" << name;
-        text += one;
-    }
-    return text;
-}
 
 TEST(Hardest, WritesRowsOfTheWorstViewsAndAPage) {
     const Desk desk;
-    const std::string out = expect_done(desk, small_search("out"));
+    const std::string out = expect_done(
+        desk,
+        "stress --hardest mote4 --against ids --scenes rocket,staircase,gear --evaluations 30 "
+        "--least-truth 40 --worst 2 --size 128x72 --seed 3 --no-cache --out out");
     const Table looks = parse_csv(desk.read("out/hardest.csv"));
     Table kept;
     for (const auto& look : looks)
@@ -57,25 +40,6 @@ TEST(Hardest, WritesRowsOfTheWorstViewsAndAPage) {
     EXPECT_EQ(page_table(desk, "out", "hardest.csv")["lines"], looks.size());
 }
 
-TEST(Hardest, WithCoverageIsWhereMostInkIsLost) {
-    const Desk desk;
-    const std::string out =
-        expect_done(desk,
-                    "stress --hardest strokes --scenes rocket --evaluations 12 --size 128x72 "
-                    "--least-truth 40 --worst 1 --coverage --line-width 1 --out out");
-    EXPECT_THAT(out, HasSubstr("soft F least"));
-    const auto rows = only(rows_of(desk), "strokes");
-    ASSERT_EQ(rows.size(), 1U);
-    for (const auto& look : parse_csv(desk.read("out/hardest.csv"))) {
-        if (look.at("status") == "ok") {
-            EXPECT_EQ(look.at("value"), look.at("soft_f"));
-        }
-        if (look.at("rank") == "1") {
-            EXPECT_EQ(rows.front().at("soft_f"), look.at("soft_f"));
-        }
-    }
-}
-
 TEST(Hardest, TheViewCanBeDrawnByWhatIsPrinted) {
     const Desk desk;
     const std::string out =
@@ -93,23 +57,6 @@ TEST(Hardest, TheViewCanBeDrawnByWhatIsPrinted) {
         if (look.at("rank") == "1") f = look.at("f_2px");
     for (const auto& row : only(rows_of(desk, "again"), "mote4"))
         EXPECT_EQ(row.at("f_2px"), f);
-}
-
-TEST(Hardest, KilledAndStartedAgainItComesToTheSameBytesOnAnyLanes) {
-    const Desk desk;
-    const auto begin = Clock::now();
-    expect_done(desk, small_search("whole") + "--lanes 1");
-    const auto whole = Clock::now() - begin;
-    const std::string expected = bytes_of(desk, "whole");
-    expect_done(desk, small_search("lanes") + "--lanes 2");
-    EXPECT_EQ(bytes_of(desk, "lanes"), expected);
-    for (int i = 1; i <= 3; ++i) {
-        const auto deadline = Clock::now() + whole * i / 5;
-        (void)desk.kill_when(small_search("killed") + "--lanes 1",
-                             [&] { return Clock::now() >= deadline; });
-    }
-    expect_done(desk, small_search("killed") + "--lanes 1");
-    EXPECT_EQ(bytes_of(desk, "killed"), expected);
 }
 
 TEST(Hardest, RefusesWhatItCannotSearch) {
@@ -131,16 +78,6 @@ TEST(Hardest, RefusesWhatItCannotSearch) {
                         {"--against mote4", "--against --hardest"},
                         {"cube", "--scenes --hardest"}});
     EXPECT_THAT(expect_done(desk, "stress --help"), HasSubstr("1.05 to 6 radii"));
-}
-
-TEST(Hardest, IsAnExperimentFileToo) {
-    const Desk desk;
-    desk.write("hard.toml",
-               "name = \"hard\"\nkind = \"hardest\"\n[grid]\nscenes = [\"cube\"]\n"
-               "sizes = [\"96x54\"]\n[search]\nmethods = [\"mote4\"]\nevaluations = 8\n"
-               "least_truth_px = 20\nworst = 1\n");
-    expect_done(desk, "run hard.toml");
-    EXPECT_NE(desk.read("inkbench-out/hard/hardest.csv"), "");
     desk.write("none.toml", "name = \"none\"\nkind = \"hardest\"\n[grid]\nscenes = [\"cube\"]\n");
     EXPECT_THAT(refusal(desk, "run none.toml"), HasSubstr("no method is searched"));
 }

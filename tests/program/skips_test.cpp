@@ -32,13 +32,6 @@ TEST(NoSkip, IsRecordedAndChangesNoImage) {
                 HasSubstr("attributes;frustum_culling;back_face_culling"));
 }
 
-TEST(NoSkip, DrawsTheSameImage) {
-    const Desk desk;
-    expect_done(desk, "draw torus --size 160x90 -o a.png");
-    expect_done(desk, "draw torus --size 160x90 -o b.png --no-skip all");
-    EXPECT_EQ(desk.read("a.png"), desk.read("b.png"));
-}
-
 TEST(NoSkip, RefusesWhatIsNoSkip) {
     for (const char* words : {"compare --scenes torus --no-skip oclusion_culling",
                               "draw torus -o a.png --no-skip oclusion_culling"})

@@ -37,36 +37,6 @@ TEST(Stress, WritesRowsSummaryAxesAndPage) {
     EXPECT_EQ(page_table(desk, "out", "axes.csv")["lines"], 2);
 }
 
-TEST(Stress, ScoresGreyLinesToo) {
-    const Desk desk;
-    expect_done(desk,
-                "stress --axes grazing --methods mote4,strokes --points 2 --size 96x54 --coverage "
-                "--antialias none,resolve4 --line-width 1 --no-cache --out out");
-    std::set<std::string> methods;
-    for (const auto& row : table_of_run(desk, "out", "stress.csv")) {
-        methods.insert(row.at("method"));
-        EXPECT_EQ(row.at("ink_line_width_px"), "1") << row.at("method");
-        if (row.at("method") == "oracle") {
-            EXPECT_EQ(row.at("soft_f"), "1");
-        }
-    }
-    EXPECT_EQ(
-        methods,
-        (std::set<std::string>{
-            "none", "sampled", "exact_corner", "oracle", "mote4", "mote4_resolve4", "strokes"}));
-    for (const auto& point : parse_csv(desk.read("out/axis_summary.csv")))
-        EXPECT_NE(point.at("soft_f"), "");
-    EXPECT_EQ(page_table(desk, "out", "axis_summary.csv")["lines"], 2 * 7);
-}
-
-TEST(Stress, GivesTheSameBytesAgain) {
-    const Desk desk;
-    expect_done(desk, small_run("a"));
-    expect_done(desk, small_run("b"));
-    for (const char* file : {"/rows.csv", "/stress.csv", "/axis_summary.csv", "/axes.csv"})
-        EXPECT_EQ(desk.read(std::string("a") + file), desk.read(std::string("b") + file)) << file;
-}
-
 TEST(Stress, RefusesWhatItDoesNotKnow) {
     const Desk desk;
     EXPECT_THAT(refusal(desk, "stress --axes grazin"), HasSubstr("grazing"));

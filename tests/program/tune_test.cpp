@@ -39,18 +39,6 @@ TEST(TuneProgram, KilledAndStartedAgainItComesToTheSameBytes) {
     EXPECT_FALSE(std::filesystem::exists(log));
 }
 
-TEST(TuneProgram, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
-    const Desk desk;
-    Words words = tune_words("out");
-    words.back() = "100000";
-    const auto log = desk.work() / "out" / "evaluations.csv.part";
-    const Outcome stopped = desk.run_until(words, [&] { return lines_of(log) > 5; });
-    EXPECT_EQ(stopped.exit_code, 130);
-    EXPECT_THAT(stopped.err, HasSubstr("the same command goes on from there"));
-    EXPECT_GT(lines_of(log), 5);
-    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out" / "mote4_cube_layers_gem.toml"));
-}
-
 TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
     const Desk desk;
     const std::string out = expect_done(desk, tune_words("out") + "--name mine");

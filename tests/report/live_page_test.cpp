@@ -105,27 +105,22 @@ TEST(LivePage, ShowsSoftFOrWhyAViewHasNone) {
     EXPECT_EQ(scores["ids"], nlohmann::json({{"why", "crowded: too dense"}}));
 }
 
-TEST(LivePage, OfNothingIsRefusedInALine) {
-    harness::SceneViews nothing = cube_views();
-    nothing.scene.instances.clear();
+std::string refusal_of(const harness::SceneViews& scene_views) {
     try {
-        (void)live_page(nothing, std::nullopt);
-        FAIL();
+        (void)live_page(scene_views, std::nullopt);
     } catch (const core::Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("no triangle"));
+        return error.what();
     }
+    return "";
 }
 
-TEST(LivePage, OfTooManyTrianglesIsRefusedInALine) {
-    harness::SceneViews crowd = cube_views();
-    crowd.scene.instances.resize(kMostLiveTriangles / 12 + 1, crowd.scene.instances.front());
-    try {
-        (void)live_page(crowd, std::nullopt);
-        FAIL();
-    } catch (const core::Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("8000004 triangles"));
-        EXPECT_THAT(error.what(), HasSubstr("8000000"));
-    }
+TEST(LivePage, OfNothingOrTooManyTrianglesIsRefusedInALine) {
+    harness::SceneViews views = cube_views();
+    views.scene.instances.clear();
+    EXPECT_THAT(refusal_of(views), HasSubstr("no triangle"));
+    views = cube_views();
+    views.scene.instances.resize(kMostLiveTriangles / 12 + 1, views.scene.instances.front());
+    EXPECT_THAT(refusal_of(views), testing::ContainsRegex("8000004 triangles.*8000000"));
 }
 
 }  // namespace

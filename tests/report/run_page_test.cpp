@@ -67,14 +67,6 @@ class RunPage : public testing::Test {
     experiment::RunData run_;
 };
 
-TEST_F(RunPage, IsOneFileThatAsksForNothing) {
-    const std::string page = run_page({run_}).html;
-    EXPECT_THAT(page, testing::StartsWith("<!doctype html>"));
-    EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
-    EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
-    EXPECT_THAT(page, Not(HasSubstr("{{")));
-}
-
 TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
     const std::string page = run_page({run_}).html;
     EXPECT_THAT(page, HasSubstr("inkbench compare \\u003c/script>"));
