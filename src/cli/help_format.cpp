@@ -31,7 +31,7 @@ constexpr Heading kOfOptions[] = {
      "crease weld-epsilon intersections creases no-crosscheck polarity band ignore no-thin"},
     {"Looks", "set-shade ink paper surface dither no-lines layer"},
     {"Drawing for print", "hidden sheet-width sheet scale"},
-    {"Science", "seed coverage sweep-views no-sweep images scaling motion global no-random"},
+    {"Science", "seed coverage sweep-views no-sweep images motion global no-random"},
     {"Work", "shard force no-times lanes dry-run status threads repetitions cache no-cache"}};
 
 /// The heading that `name` stands under, or `otherwise`.

@@ -14,7 +14,6 @@
 #include "report/run_page.h"
 #include "report/text/verdict.h"
 #include "studies/axis_summary.h"
-#include "studies/hardest/hardest_table.h"
 #include "summary/summary_csv.h"
 
 namespace ink::cli {
@@ -31,11 +30,6 @@ report::Missing missing_of(const experiment::RunRecord& record) {
     return {static_cast<int>(record.missing_blocks.size()), record.blocks};
 }
 
-/// A run of views that were chosen because they are bad is no comparison.
-bool is_comparison(const experiment::RunData& run) {
-    return !run.tables.rows.empty() && run.tables.hardest.empty();
-}
-
 void print_comparison(const experiment::RunData& run) {
     const std::vector<harness::Row>& rows = run.tables.rows;
     const harness::Row& first = rows.front();
@@ -48,14 +42,6 @@ void print_comparison(const experiment::RunData& run) {
             first.threads);
     }
     fmt::print("{}\n", report::verdict_table(rows, run.comparison, missing_of(run.record)));
-}
-
-/// How many times of the comparison and of all studies are uncertain; "" if none are.
-std::string busy_text(const experiment::RunTables& tables) {
-    std::vector<harness::Row> rows = tables.rows;
-    for (const studies::AxisRow& of : tables.on_axes)
-        rows.push_back(of.row);
-    return harness::uncertain_times(rows);
 }
 
 void print_warnings(const experiment::RunRecord& record,
@@ -79,7 +65,7 @@ void print_warnings(const experiment::RunRecord& record,
 
 /// verdict.md of a comparison of one size and number of threads.
 void write_verdict_of(const experiment::RunData& run) {
-    if (!is_comparison(run)) return;
+    if (run.tables.rows.empty()) return;
     core::write_whole_file(
         run.folder / "verdict.md",
         report::verdict_markdown(run.tables.rows, run.comparison, missing_of(run.record)));
@@ -101,11 +87,10 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder) {
     const UnscoredCells unscored = summary::unscored_cells(run.tables.rows);
     const bool is_without_score =
         run.record.missing_blocks.empty() && summary::is_all_unscored(run.tables.rows);
-    const std::string busy = busy_text(run.tables);
+    const std::string busy = harness::uncertain_times(run.tables.rows);
     experiment::keep_one_place(run.tables);
     write_verdict_of(run);
-    if (is_comparison(run)) print_comparison(run);
-    fmt::print("{}", studies::hardest_text(run.tables.hardest));
+    if (!run.tables.rows.empty()) print_comparison(run);
     fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
     if (!run.finding.first.empty()) fmt::print("{}.\n", run.finding.first);
     fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());

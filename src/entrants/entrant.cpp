@@ -10,6 +10,7 @@
 #include <cstring>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "core/error.h"
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr double kCrease_rad = 40 * std::numbers::pi / 180;
 constexpr int kThreads = 64;  ///< a program may keep so many busy for its whole time
+constexpr std::uint64_t kMemoryBytes = 8ULL << 30;  ///< that each process may write to
 constexpr std::uint64_t kOutputBytes = 1 << 20;
 constexpr std::uint64_t kFileBytes = 1ULL << 30;
 constexpr int kNotStarted = 127;  ///< exit code of a child that could not become the program
@@ -38,48 +40,43 @@ std::string text_of(const import::ChildOutcome& outcome) {
 }
 
 /// The last line that is not empty, cut to a length that fits a table.
-std::string last_line(std::string_view text) {
+std::string last_line(const std::string& text) {
     constexpr std::size_t kLongest = 200;
-    std::string line;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view here = text.substr(0, end);
-        if (here.find_first_not_of(" \t\r") != std::string_view::npos) line = here;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    std::istringstream lines(text);
+    std::string last;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
     std::ranges::replace_if(
-        line, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-    return line.substr(0, kLongest);
+        last, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    return last.substr(0, kLongest);
 }
 
 /// The number behind the last "draw_ms" at the beginning of a line.
-std::optional<double> reported_ms(std::string_view text) {
+std::optional<double> reported_ms(const std::string& text) {
     constexpr std::string_view kKey = "draw_ms";
+    std::istringstream lines(text);
     std::optional<double> found;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with(kKey)) continue;
-        line.remove_prefix(kKey.size());
-        while (!line.empty() && (line.front() == ' ' || line.front() == '=' || line.front() == ':'))
-            line.remove_prefix(1);
+        const std::size_t begin = line.find_first_not_of(" =:", kKey.size());
+        if (begin == std::string::npos) continue;
         double ms = 0;
-        const auto [at, error] = std::from_chars(line.data(), line.data() + line.size(), ms);
+        const auto [at, error] =
+            std::from_chars(line.data() + begin, line.data() + line.size(), ms);
         if (error == std::errc() && std::isfinite(ms) && ms >= 0) found = ms;
     }
     return found;
 }
 
 /// Why a call failed, or "".
-std::string failure_of(const import::ChildOutcome& outcome, const EntrantLimits& limits) {
+std::string failure_of(const import::ChildOutcome& outcome, double wall_s) {
     const std::string said = last_line(text_of(outcome));
     const std::string quote = said.empty() ? "" : ": " + said;
     switch (outcome.end) {
         case import::ChildEnd::not_started:
             return fmt::format("it cannot be started: {}", std::strerror(outcome.code));
         case import::ChildEnd::timed_out:
-            return fmt::format("it took longer than {} s and was ended{}", limits.wall_s, quote);
+            return fmt::format("it took longer than {} s and was ended{}", wall_s, quote);
         case import::ChildEnd::flooded:
             return "it printed more than 1 MiB and was ended";
         case import::ChildEnd::signalled:
@@ -95,8 +92,8 @@ std::string failure_of(const import::ChildOutcome& outcome, const EntrantLimits&
 /// One scene's files, and the calls for its views.
 class ProgramRunner {
   public:
-    ProgramRunner(fs::path program, EntrantLimits limits)
-        : program_(std::move(program)), limits_(limits) {}
+    ProgramRunner(fs::path program, double wall_s)
+        : program_(std::move(program)), wall_s_(wall_s) {}
 
     harness::OutsideImage draw(const scene::Scene& scene, const scene::View& view) {
         const std::uint64_t hash = scene::scene_hash(scene);
@@ -115,8 +112,8 @@ class ProgramRunner {
         core::Spent process = core::spent_on([&] {
             outcome = import::run_child(program_,
                                         {asked.string(), image.string()},
-                                        {.wall_s = limits_.wall_s,
-                                         .memory_bytes = limits_.memory_bytes,
+                                        {.wall_s = wall_s_,
+                                         .memory_bytes = kMemoryBytes,
                                          .counts_reserved = false,  // a browser reserves a terabyte
                                          .output_bytes = kOutputBytes,
                                          .file_bytes = kFileBytes,
@@ -125,7 +122,7 @@ class ProgramRunner {
                                          .leads_group = true});
         });
         process.cpu_ns = outcome.cpu_ns;
-        const std::string failure = failure_of(outcome, limits_);
+        const std::string failure = failure_of(outcome, wall_s_);
         if (!failure.empty()) throw core::Error(program_.string(), failure);
         if (!fs::exists(image))
             throw core::Error(
@@ -150,7 +147,7 @@ class ProgramRunner {
     }
 
     fs::path program_;
-    EntrantLimits limits_;
+    double wall_s_;
     core::ScratchFolder scratch_{"entrant"};
     std::optional<ViewFiles> meshes_;
     std::uint64_t scene_hash_ = 0;
@@ -162,12 +159,12 @@ class ProgramRunner {
 /// The source throws core::Error (where = the program) that says how a call failed: it could not be
 /// started, hung, crashed, ended with an exit code and what it last said, wrote no image or a wrong
 /// one.
-harness::OutsideSource program_source(const fs::path& program, const EntrantLimits& limits) {
+harness::OutsideSource program_source(const fs::path& program, double wall_s) {
     // Made with the first view: a configuration that is only asked for its name leaves no folder.
     auto runner = std::make_shared<std::unique_ptr<ProgramRunner>>();
-    return [runner, program = fs::absolute(program).lexically_normal(), limits](
+    return [runner, program = fs::absolute(program).lexically_normal(), wall_s](
                const scene::Scene& scene, const scene::View& view) {
-        if (!*runner) *runner = std::make_unique<ProgramRunner>(program, limits);
+        if (!*runner) *runner = std::make_unique<ProgramRunner>(program, wall_s);
         return (*runner)->draw(scene, view);
     };
 }
@@ -231,9 +228,9 @@ Entrant parse_entrant(const std::string& text) {
     return entrant;
 }
 
-method::MethodConfig entrant_config(const Entrant& entrant, const EntrantLimits& limits) {
-    const auto make_source = [entrant, limits] {
-        return entrant.is_program ? program_source(entrant.path, limits)
+method::MethodConfig entrant_config(const Entrant& entrant, double wall_s) {
+    const auto make_source = [entrant, wall_s] {
+        return entrant.is_program ? program_source(entrant.path, wall_s)
                                   : image_folder_source(entrant.path);
     };
     return outside_config(

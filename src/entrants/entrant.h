@@ -16,12 +16,6 @@ struct Entrant {
     bool is_program = false;
 };
 
-/// What a program from outside may use up for one view.
-struct EntrantLimits {
-    double wall_s = 60;
-    std::uint64_t memory_bytes = 8ULL << 30;  ///< of memory that it may write to, each process
-};
-
 /// "NAME=PATH" as an entrant: a folder, or a file that can be executed.
 ///
 /// Throws core::Error (where = "--entrant") for text without "=", a name that is not of letters,
@@ -35,10 +29,9 @@ struct EntrantLimits {
 /// they took. A program is called as `path view.json out.png` once a view (view_json()); its time
 /// is what it prints as "draw_ms NUMBER", else the processor time of the whole call, its children's
 /// too. A missing image, one of another size, and a program that fails, hangs or writes nothing is
-/// an error of that view alone. Parameters are `threshold` (128), and for the record `entrant` (the
-/// path) and `content` (a hash of the images or the program).
-[[nodiscard]] method::MethodConfig entrant_config(const Entrant& entrant,
-                                                  const EntrantLimits& limits = {});
+/// an error of that view alone; it hangs after `wall_s` seconds. Parameters are `threshold` (128),
+/// and for the record `entrant` (the path) and `content` (a hash of the images or the program).
+[[nodiscard]] method::MethodConfig entrant_config(const Entrant& entrant, double wall_s = 60);
 
 /// A method whose images come from what `make_source` makes, as a configuration. Its parameters are
 /// `threshold` (128) and, for the record, `facts`; `origin` says in words where the images are

@@ -178,15 +178,11 @@ bool BlockWork::compute(std::size_t i) {
         progress_->report(static_cast<int>(wanted_.size() - missing_.size()), block.key);
     }
     const auto begin = Clock::now();
-    BlockResult result = block.run();
+    const BlockResult result = block.run();
     if (block.may_be_cut && core::is_interrupted()) return false;
     const double seconds = seconds_since(begin);
-    {
-        const StageTimer timer(result.stages, WorkStage::writing);
-        store_.write(i, {block.key, seconds, result.faults}, result);
-    }
+    store_.write(i, {block.key, seconds, result.faults}, result);
     const std::lock_guard lock(mutex_);
-    stages_.add(result.stages);
     std::erase(missing_, i);
     note(i, seconds);
     if (!has_said_ && seconds_since(start_) > kFirstWord_s && !missing_.empty()) {

@@ -45,9 +45,6 @@ class BlockWork {
     /// have disturbed what is timed; else "".
     [[nodiscard]] const std::string& lanes_text() const { return lanes_text_; }
 
-    /// What the blocks that were computed spent their time on.
-    [[nodiscard]] const StageTimes& stages() const { return stages_; }
-
     /// Keys of the blocks of the whole plan that are not there.
     [[nodiscard]] std::vector<std::string> missing_of_plan() const;
 
@@ -78,7 +75,6 @@ class BlockWork {
     std::string lanes_text_;
     double known_work_ = 0;
     double known_s_ = 0;
-    StageTimes stages_;
 
     // What lanes share while they work; all above belongs to it, too.
     std::mutex mutex_;

@@ -10,9 +10,7 @@
 #include "linear_code/cancellation_study.h"
 #include "studies/axis_summary.h"
 #include "studies/axis_tables.h"
-#include "studies/hardest/hardest_table.h"
 #include "studies/motion_table.h"
-#include "studies/timedemo.h"
 #include "summary/cost_model.h"
 #include "summary/paired_differences.h"
 #include "summary/summary_csv.h"
@@ -26,7 +24,7 @@ core::TableInfo run_record() {
         "What was asked of the run, and which build and machine answered. Not a table: these are "
         "its keys.",
         {{"name", "", "of the run"},
-         {"kind", "", "compare, stress, animation, hardest or tune"},
+         {"kind", "", "compare, stress, animation or tune"},
          {"command", "", "as typed, without the options that say where results go"},
          {"identity", "", "hash of all that rows depend on, the build included"},
          {"build", "", "version and commit of the program"},
@@ -93,12 +91,10 @@ std::vector<core::TableInfo> dictionary() {
             studies::axes_table(),
             studies::axis_summary_table(true),
             studies::faults_table(),
-            studies::hardest_table(true),
             studies::motion_table(),
             studies::ink_motion_table(),
             studies::lives_table(),
-            evaluations_table({"PARAMETER"}),  // one stands here for all that are searched
-            studies::timedemo_frames_table()};
+            evaluations_table({"PARAMETER"})};  // one stands here for all that are searched
 }
 
 std::string dictionary_markdown() {

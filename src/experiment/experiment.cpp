@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
@@ -32,8 +31,7 @@ void follow_line_width(double line_width_px, std::vector<method::MethodConfig>& 
 }  // namespace
 
 std::string_view name(ExperimentKind kind) {
-    constexpr std::array<std::string_view, 5> kNames = {
-        "compare", "stress", "animation", "hardest"};
+    constexpr std::array<std::string_view, 3> kNames = {"compare", "stress", "animation"};
     return kNames.at(static_cast<std::size_t>(kind));
 }
 
@@ -85,18 +83,6 @@ void cover_named_ink(Experiment& experiment) {
     });
 }
 
-void add_searched_methods(Experiment& experiment) {
-    std::vector<std::string> names = experiment.hardest.methods;
-    if (!experiment.hardest.against.empty()) names.push_back(experiment.hardest.against);
-    names.insert(names.end(), experiment.methods.begin(), experiment.methods.end());
-    experiment.methods.clear();
-    for (std::string& name : names) {
-        const auto& methods = experiment.methods;
-        if (std::find(methods.begin(), methods.end(), name) == methods.end())
-            experiment.methods.push_back(std::move(name));
-    }
-}
-
 std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
     std::vector<method::MethodConfig> configs;
     const bool is_all_own = experiment.methods.empty() && experiment.compare.presets.empty();
@@ -106,8 +92,8 @@ std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
     }
     std::vector<method::MethodConfig> outside = experiment.compare.own_methods;
     for (const std::string& text : experiment.compare.entrants)
-        outside.push_back(entrants::entrant_config(entrants::parse_entrant(text),
-                                                   {.wall_s = experiment.compare.entrant_s}));
+        outside.push_back(
+            entrants::entrant_config(entrants::parse_entrant(text), experiment.compare.entrant_s));
     for (method::MethodConfig& config : outside) {
         configs.push_back(std::move(config));
         const auto is_namesake = [&](const method::MethodConfig& other) {
@@ -131,12 +117,6 @@ std::vector<method::MethodConfig> configs_of(const Experiment& experiment) {
     return methods::at_each_antialias(configs, experiment.antialias, experiment.line_width_px);
 }
 
-std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment) {
-    std::vector<method::MethodConfig> configs = configs_of(experiment);
-    std::erase_if(configs, [](const method::MethodConfig& config) { return config.is_outside; });
-    return configs;
-}
-
 std::vector<method::MethodConfig> grid_configs(const method::MethodConfig& config,
                                                const SettingGrid& grid) {
     std::vector<method::MethodConfig> configs = {config};
@@ -150,10 +130,6 @@ std::vector<method::MethodConfig> grid_configs(const method::MethodConfig& confi
         }
         configs = std::move(longer);
     }
-    std::set<core::ParamValues> known;
-    std::erase_if(configs, [&](const method::MethodConfig& made) {
-        return !known.insert(made.info->complete(made.settings)).second;
-    });
     return configs;
 }
 

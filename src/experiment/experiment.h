@@ -13,18 +13,16 @@
 #include "methods/method_configs.h"
 #include "score/coverage.h"
 #include "score/intersections.h"
-#include "studies/axis.h"
 #include "studies/motion_study.h"
 #include "summary/answer.h"
 
 namespace ink::experiment {
 
-/// What is computed: `compare` draws methods on views, and may study motion and scaling
-/// beside; `stress` draws along axes of difficulty; `animation` on sequences; `hardest` searches
-/// the views on which a method is worst.
-enum class ExperimentKind { compare, stress, animation, hardest };
+/// What is computed: `compare` draws methods on views, and may study motion beside; `stress` draws
+/// along axes of difficulty; `animation` on sequences.
+enum class ExperimentKind { compare, stress, animation };
 
-/// "compare", "stress", "animation", "hardest": as files and run.toml have it.
+/// "compare", "stress", "animation": as files and run.toml have it.
 [[nodiscard]] std::string_view name(ExperimentKind kind);
 
 /// Of which views a comparison keeps images: none, the first of each scene, or all.
@@ -48,17 +46,15 @@ struct CompareRequest {
     std::vector<std::string> skips_off = {};  ///< optimisations that methods may not use
     scene::CreaseSource creases = scene::CreaseSource::angle;  ///< of the truth
     KeptImages images = KeptImages::first;
-    bool study_motion = false;   ///< the sequences of an animation, too
-    bool study_scaling = false;  ///< scaling_axes.h too
-    bool full_scores = true;     ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
+    bool study_motion = false;  ///< the sequences of an animation, too
+    bool full_scores = true;    ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
     summary::AnswerRule answer = {};  ///< how it is chosen; no row depends on it
 };
 
 /// What the sweep of difficulties alone is asked.
 struct StressRequest {
-    std::vector<std::string> axes = {};        ///< none: all
-    std::vector<studies::Axis> own_axes = {};  ///< made by code, beside (or instead of) these
-    int points = 0;                            ///< values of an axis, at most; 0: all
+    std::vector<std::string> axes = {};  ///< none: all
+    int points = 0;                      ///< values of an axis, at most; 0: all
     scene::ProjectionKind projection = scene::ProjectionKind::perspective;  ///< of all cameras
 };
 
@@ -67,16 +63,6 @@ struct AnimationRequest {
     int frames = 48;                      ///< of a sequence
     double step_px = studies::kStep_px;   ///< by which the image moves a frame
     std::vector<std::string> paths = {};  ///< before any scene; none: the study's own sequences
-};
-
-/// What a search for the hardest views is asked for (studies/hardest/hardest_view.h). All of these
-/// methods take part, so that the views that are found show them all.
-struct HardestRequest {
-    std::vector<std::string> methods = {};  ///< each searched by itself
-    std::string against = {};               ///< the method that these are to lose to; "" for none
-    int evaluations = 200;                  ///< of each scene and method
-    int least_truth_px = 200;
-    int worst = 5;  ///< views kept of each scene and method
 };
 
 struct ImageSize {
@@ -108,13 +94,12 @@ struct Experiment {
     double budget_ms = 60;   ///< of drawing, after which repetitions end
     /// How many samples a pixel the methods draw, each choice a method of its own.
     std::vector<methods::Antialias> antialias = {methods::Antialias::none};
-    bool coverage = false;  ///< score grey lines too; a search is for their loss
+    bool coverage = false;  ///< score grey lines too
     /// Of grey lines: of the true ones, and of those that methods draw with several samples.
     double line_width_px = score::kLineWidth_px;
     CompareRequest compare = {};
     StressRequest stress = {};
     AnimationRequest animation = {};
-    HardestRequest hardest = {};
 };
 
 /// The width of the true lines, if grey lines are scored.
@@ -140,20 +125,13 @@ struct Experiment {
 /// methods take part.
 void cover_named_ink(Experiment& experiment);
 
-/// Lets the methods that are searched for their hardest views, and the one they are compared with,
-/// take part, before those that do.
-void add_searched_methods(Experiment& experiment);
-
 /// The methods that take part, presets and entrants last, with the settings that each knows, and
 /// the truth's crease angle where they follow it (methods::follow_crease). Throws core::Error for a
 /// preset that cannot be read.
 [[nodiscard]] std::vector<method::MethodConfig> configs_of(const Experiment& experiment);
 
-/// The same without methods from outside, which have no frames of a sequence and no times of ours.
-[[nodiscard]] std::vector<method::MethodConfig> timed_configs_of(const Experiment& experiment);
-
 /// Every combination of a grid as a configuration, on top of what `config` has; the last key turns
-/// fastest. Combinations that come out equal appear once.
+/// fastest.
 [[nodiscard]] std::vector<method::MethodConfig> grid_configs(const method::MethodConfig& config,
                                                              const SettingGrid& grid);
 

@@ -151,11 +151,11 @@ void read_sweep(core::TomlReader& sweep, bool is_record, Experiment& experiment)
 ExperimentKind read_kind(core::TomlReader& file) {
     const std::string kind = file.text("kind").value_or("");
     using enum ExperimentKind;
-    for (const ExperimentKind each : {compare, stress, animation, hardest})
+    for (const ExperimentKind each : {compare, stress, animation})
         if (name(each) == kind) return each;
     throw core::Error(file.where("kind"),
                       kind.empty() ? "there is no kind" : fmt::format("kind cannot be {}", kind),
-                      "compare | stress | animation | hardest");
+                      "compare | stress | animation");
 }
 
 std::string read_name(core::TomlReader& file) {
@@ -229,25 +229,22 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     experiment.name = read_name(whole);
     experiment.kind = read_kind(whole);
     if (experiment.kind == ExperimentKind::compare) experiment.scenes = scenes_called("catalogue");
-    if (experiment.kind == ExperimentKind::hardest) experiment.times = false;
     experiment.sizes = {{640, 360}};
     const bool is_record = whole.is_table("asked");
     core::TomlReader reader = is_record ? *whole.table("asked") : whole;
     // Of methods run.toml has every parameter, those that were set in `settings` too.
-    const std::string others =
-        "kind, settings, sweep, views, grid, measure, answer, study, search, ";
+    const std::string others = "kind, settings, sweep, views, grid, measure, answer, study, ";
     read_options(reader,
                  "",
                  core::split_list(others + (is_record ? "methods" : "name")),
                  is_record,
                  experiment);
-    for (const char* name : {"grid", "measure", "answer", "study", "search"}) {
+    for (const char* name : {"grid", "measure", "answer", "study"}) {
         core::TomlReader table = reader.table_or_empty(name);
         read_options(table, name, {}, is_record, experiment);
     }
     core::TomlReader views = reader.table_or_empty("views");
     read_views(views, is_record, experiment);
-    if (experiment.kind == ExperimentKind::hardest) add_searched_methods(experiment);
     if (experiment.methods.empty() && !is_record)
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");

@@ -16,7 +16,6 @@
 #include "core/whole_file.h"
 #include "experiment/asked.h"
 #include "harness/rows/methods_table.h"
-#include "studies/axis_tables.h"
 
 namespace ink::experiment {
 namespace {
@@ -74,13 +73,6 @@ void RunHead::add_table(const core::TableInfo& table) {
     tables.push_back({table.file, std::move(columns)});
 }
 
-void Plan::add_axis(const studies::Axis& axis) {
-    std::string& text = files["axes.csv"];
-    if (text.empty()) text = core::heading(studies::axes_table());
-    if (text.find(fmt::format("\n{},", axis.name)) == std::string::npos)
-        text += studies::axes_table().line(axis);
-}
-
 void RunHead::add_model(const scene::Scene& scene) {
     if (scene.file.notes.empty() && scene.origin == glm::dvec3(0)) return;
     models.push_back({scene.name, scene.origin, scene.file.notes});
@@ -107,7 +99,7 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
                                     methods::samples_per_side(antialias));  // or too large
     }
     const harness::TraceOptions trace = trace_of(experiment, cache);
-    constexpr std::array kPlanners = {plan_compare, plan_stress, plan_animation, plan_hardest};
+    constexpr std::array kPlanners = {plan_compare, plan_stress, plan_animation};
     kPlanners.at(static_cast<std::size_t>(experiment.kind))(experiment, trace, plan);
     if (plan.blocks.empty()) {
         throw core::Error(experiment.where,

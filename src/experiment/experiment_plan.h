@@ -10,7 +10,6 @@
 
 #include "core/tables/table.h"
 #include "experiment/experiment.h"
-#include "experiment/stage_times.h"
 #include "harness/truths/tracing.h"
 #include "summary/answer.h"
 
@@ -29,7 +28,6 @@ struct BlockResult {
     std::map<std::string, std::string> lines;  ///< by table, every line ended; none: no entry
     std::map<std::string, std::string> files;  ///< images: path inside the run folder, bytes
     std::vector<std::string> faults;           ///< why the whole run would be invalid
-    StageTimes stages = {};                    ///< what it spent its time on, where that is known
 };
 
 /// What a block takes of two lanes' time: they wait for each other now and then.
@@ -64,7 +62,7 @@ struct ModelFacts {
 /// What was asked of a run, and which build answers.
 struct RunHead {
     std::string name;
-    std::string kind;      ///< "compare", "stress", "animation", "hardest", "tune"
+    std::string kind;      ///< "compare", "stress", "animation", "tune"
     std::string command;   ///< as the user typed it, less what says where results go; may be ""
     std::string identity;  ///< hash of all that rows depend on, the build included
     std::string build = build_text();
@@ -91,8 +89,6 @@ struct Plan : RunHead {
 
     [[nodiscard]] int cells() const;
 
-    /// Puts what an axis varies into axes.csv, once.
-    void add_axis(const studies::Axis& axis);
     /// The first of `count` new numbers for the column `cell` of rows.csv.
     [[nodiscard]] std::int64_t take_cells(std::int64_t count);
 };
@@ -116,11 +112,5 @@ struct Plan : RunHead {
 void plan_compare(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
-void plan_hardest(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
-/// Blocks of every value of some axes, alone on the machine.
-void plan_axes(const std::vector<studies::Axis>& axes,
-               const Experiment& experiment,
-               const harness::TraceOptions& trace,
-               Plan& plan);
 
 }  // namespace ink::experiment

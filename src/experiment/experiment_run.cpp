@@ -108,10 +108,8 @@ RunOutcome write_run(const BlockStore& store,
     record.blocks_done = 0;
     record.work_s = 0;
     record.faults.clear();
-    for (const FinishedTable& table : finished_tables(record, store)) {
+    for (const FinishedTable& table : finished_tables(record, store))
         core::write_whole_file(store.folder() / table.name, table.text);
-        outcome.tables.push_back(store.folder() / table.name);
-    }
     for (const std::size_t i : store.indices()) {
         const auto block = store.read(i);
         if (!block) continue;
@@ -158,8 +156,6 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
         RunOutcome outcome;
         outcome.record =
             there->answer == mine.answer ? *there : answered_anew(*there, mine, options.out);
-        for (const RecordedTable& table : there->tables)
-            outcome.tables.push_back(options.out / table.name);
         return outcome;
     }
     store.make_folder();
@@ -181,7 +177,6 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
         options.cut_off();
     });
     const bool is_done = work.run(options.lanes, options.say);
-    mine.work_parts = work.stages().text();
     RunOutcome outcome;
     core::write_unless_cut_off([&] { outcome = write_up(); });
     outcome.is_interrupted = !is_done;

@@ -32,7 +32,6 @@ struct RunOptions {
 struct RunOutcome {
     bool is_interrupted = false;  ///< Ctrl-C: what was finished is kept, and in the tables
     RunRecord record;             ///< as run.toml has it now
-    std::vector<std::filesystem::path> tables = {};  ///< that were written; none of a shard
 };
 
 /// Computes the blocks that are not in `out` yet and writes the run folder; a shard keeps its

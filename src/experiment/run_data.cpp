@@ -17,7 +17,6 @@
 #include "harness/rows/score_tables.h"
 #include "harness/rows/sweep_table.h"
 #include "studies/axis_tables.h"
-#include "studies/hardest/hardest_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -78,10 +77,6 @@ RunTables parse_tables(const CsvTables& tables) {
     if (const auto* csv = table("stress.csv")) {
         for (const auto& of : studies::read_faults(*csv, index))
             faults[of.row.cell] = of.faults;
-    }
-    if (const auto* csv = table("hardest.csv")) {
-        const bool has_ink = csv->find("soft_f") < csv->columns.size();
-        run.hardest = studies::hardest_table(has_ink).read(*csv);
     }
     for (harness::RowRecord& record : records) {
         if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});

@@ -11,7 +11,6 @@
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
 #include "studies/axis_summary.h"
-#include "studies/hardest/hardest_view.h"
 #include "summary/comparison.h"
 
 namespace ink::experiment {
@@ -30,7 +29,6 @@ struct RunTables {
     std::vector<statistics::CellCurve> curves;  ///< of the methods among them
     std::vector<harness::Row> sweep;            ///< a row per setting, method and swept view
     std::vector<studies::AxisRow> on_axes;      ///< of every study that is axes
-    std::vector<studies::HardestLook> hardest;  ///< of a search for the hardest views
 };
 
 /// Reads what tables hold. Throws core::Error (where = the table's file and the line) for what no

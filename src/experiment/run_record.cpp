@@ -48,10 +48,7 @@ toml::table progress_of(const RunRecord& record) {
                          {"blocks", record.blocks},
                          {"blocks_done", record.blocks_done},
                          {"cells", record.cells}};
-    if (record.times) {
-        progress.insert("work_s", record.work_s);
-        if (!record.work_parts.empty()) progress.insert("work_parts", record.work_parts);
-    }
+    if (record.times) progress.insert("work_s", record.work_s);
     if (!record.missing_blocks.empty())
         progress.insert("missing", core::array_of(record.missing_blocks));
     if (!record.faults.empty()) progress.insert("faults", core::array_of(record.faults));
@@ -153,7 +150,6 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.blocks_done = progress["blocks_done"].value_or(0);
     record.cells = progress["cells"].value_or(0);
     record.work_s = progress["work_s"].value_or(0.0);
-    record.work_parts = progress["work_parts"].value_or(std::string());
     record.missing_blocks = core::texts_of(progress["missing"]);
     record.faults = core::texts_of(progress["faults"]);
     record.finding = root["finding"].value_or(std::string());

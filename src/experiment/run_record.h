@@ -30,8 +30,6 @@ struct RunRecord : RunHead {
     RunState state = RunState::unfinished;
     int blocks_done = 0;
     double work_s = 0;  ///< that the finished blocks took; 0 if times are left out
-    /// What the blocks that were computed last spent their time on, in words; "" of no time.
-    std::string work_parts = {};
     std::vector<std::string> missing_blocks = {};  ///< keys of the blocks that are not done
     std::vector<std::string> faults = {};          ///< why the run is invalid
     /// What came of it, in a line, where its tables do not say it; "" elsewhere.

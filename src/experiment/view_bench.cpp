@@ -18,25 +18,11 @@ constexpr std::size_t kLeastKept = 48;
 
 }  // namespace
 
-ViewBench::ViewBench(const Experiment& experiment,
-                     harness::TraceOptions trace,
-                     std::vector<harness::SceneViews> scenes,
-                     std::size_t triangles_at_once)
-    : experiment_(experiment),
-      trace_(std::move(trace)),
-      configs_(configs_of(experiment)),
-      triangles_at_once_(triangles_at_once) {
+ViewBench::ViewBench(const Experiment& experiment, harness::TraceOptions trace)
+    : experiment_(experiment), trace_(std::move(trace)), configs_(configs_of(experiment)) {
     trace_.crosscheck = experiment.crosscheck;
     skips_ =
         harness::without_skips(harness::skips_of_repeated_drawings(), experiment.compare.skips_off);
-    add_scenes(experiment.sizes.front(), std::move(scenes));
-}
-
-ViewBench::ViewBench(const Experiment& experiment,
-                     harness::TraceOptions trace,
-                     std::size_t triangles_at_once)
-    : ViewBench(
-          experiment, std::move(trace), std::vector<harness::SceneViews>{}, triangles_at_once) {
     for (const ImageSize& size : experiment.sizes)
         add_scenes(size, harness::load_scenes(experiment.scenes, views_of(experiment, size)));
 }
@@ -97,7 +83,7 @@ harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
 }
 
 std::size_t ViewBench::most_at_once(std::size_t scene) const {
-    return harness::most_at_once(scenes_[scene], triangles_at_once_);
+    return harness::most_at_once(scenes_[scene]);
 }
 
 std::unique_lock<std::mutex> ViewBench::hold_methods(std::size_t scene) {

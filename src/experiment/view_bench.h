@@ -24,15 +24,7 @@ class ViewBench {
   public:
     /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_scenes
     /// does.
-    ViewBench(const Experiment& experiment,
-              harness::TraceOptions trace,
-              std::size_t triangles_at_once = harness::kTrianglesAtOnce);
-
-    /// The same of scenes and views that are there already, of the first of its sizes.
-    ViewBench(const Experiment& experiment,
-              harness::TraceOptions trace,
-              std::vector<harness::SceneViews> scenes,
-              std::size_t triangles_at_once = harness::kTrianglesAtOnce);
+    ViewBench(const Experiment& experiment, harness::TraceOptions trace);
 
     [[nodiscard]] const Experiment& experiment() const { return experiment_; }
     [[nodiscard]] const std::vector<method::MethodConfig>& configs() const { return configs_; }
@@ -89,7 +81,6 @@ class ViewBench {
     Experiment experiment_;
     harness::TraceOptions trace_;
     std::vector<method::MethodConfig> configs_;
-    std::size_t triangles_at_once_;
     raster::SkipSet skips_;
     std::vector<scene::Scene> scenes_;
     std::map<std::tuple<std::size_t, int, int>, std::vector<scene::View>> views_;

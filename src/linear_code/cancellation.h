@@ -107,12 +107,7 @@ class CountedInk {
 
 /// The counts of a method with a declared code, of one kind of line on one view.
 struct CancellationRow {
-    std::string method;
-    std::string scene;
-    std::string view;
-    std::string split;
-    int width_px = 0;
-    int height_px = 0;
+    std::size_t evaluation = 0;  ///< its place among those of the view
     double silent_deg =
         0;  ///< dihedral deviation up to which the code is silent (silent_deviation_rad())
     LineKind kind = {};

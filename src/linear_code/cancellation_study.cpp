@@ -135,6 +135,7 @@ edge::Mask predicted_positives(const harness::TruthCode& code,
 
 /// An evaluation with a code, the code worked out from the truth, and what came of both.
 struct CancellationOf {
+    std::size_t place;
     const harness::Evaluation& evaluation;
     harness::Declaration declared;
     harness::TruthCode code;
@@ -167,15 +168,8 @@ void fill_rows(const harness::ViewTruth& truth,
     const double silent_deg =
         glm::degrees(silent_deviation_rad(*study.declared.code, study.declared.threshold));
     for (const auto& [kind, pixels] : counted.kinds) {
-        study.rows.push_back({.method = evaluation.row.method,
-                              .scene = evaluation.row.scene,
-                              .view = evaluation.row.view,
-                              .split = evaluation.row.split,
-                              .width_px = evaluation.row.width,
-                              .height_px = evaluation.row.height,
-                              .silent_deg = silent_deg,
-                              .kind = kind,
-                              .count = count_cancellation(pixels, predicted, measured)});
+        study.rows.push_back(
+            {study.place, silent_deg, kind, count_cancellation(pixels, predicted, measured)});
     }
 }
 
@@ -188,9 +182,11 @@ std::vector<CancellationRow> study_cancellation(
     const std::vector<harness::Evaluation>& evaluations) {
     std::vector<CancellationOf> studies;
     studies.reserve(evaluations.size());
-    for (const harness::Evaluation& evaluation : evaluations) {
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        const harness::Evaluation& evaluation = evaluations[i];
         if (!evaluation.row.is_ok() || !evaluation.code) continue;
-        studies.push_back({evaluation,
+        studies.push_back({i,
+                           evaluation,
                            {evaluation.code, evaluation.threshold},
                            predictor.code_of(*evaluation.code, view)});
     }

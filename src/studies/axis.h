@@ -8,7 +8,6 @@
 
 #include "core/param.h"
 #include "harness/cells/view_cells.h"
-#include "harness/rows/study.h"
 #include "harness/suite/suite.h"
 #include "method/method_config.h"
 #include "scene/scene.h"
@@ -83,17 +82,9 @@ struct Axis {
     std::vector<double> values;                 ///< ascending, distinct
     std::vector<std::string> value_names = {};  ///< one per value if the scale is `named`
     std::string sentence;                       ///< what is varied, and what stays
-    std::string study = harness::Study::stress;
     /// Nothing that an image shows may depend on the value: images that differ are faults. All of
     /// its values are then looked at together.
     bool same_images = false;
-    bool is_scored = true;        ///< against the truth, within 2 px; else it is only drawn
-    bool is_crosschecked = true;  ///< as far as the run is
-    bool scores_crowded =
-        false;  ///< views with most of their lines too dense to score have one, too
-    bool counts_faults = false;  ///< numbers and codes are looked at; a lost cell is a fault
-    int repetitions = 0;         ///< timed drawings of a cell, at most; 0: none is timed
-    double budget_s = 0.3;       ///< of drawing, after which repetitions end
     /// The cases of a value; any value between the least and the greatest will do, of named axes
     /// only those listed. The same case on every machine.
     std::function<std::vector<Case>(double value, const CaseSize& size)> cases;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -15,120 +14,83 @@
 namespace ink::studies {
 namespace {
 
-/// A case on its way to rows.
-class CaseWork {
-  public:
-    CaseWork(const Axis& axis, const Case& one, const harness::CellOptions& options)
-        : axis_(axis), one_(one), options_(options) {
-        options_.trace.crosscheck = options.trace.crosscheck && axis.is_crosschecked;
-        options_.scores_crowded = axis.scores_crowded;
-        options_.scores = axis.is_scored ? harness::Scores::brief : harness::Scores::none;
-        harness::MeasureOptions& measure = options_.measure;
-        measure.threads = one.threads.value_or(measure.threads);
-        measure.max_repetitions = axis.repetitions;
-        measure.min_repetitions = std::min(measure.min_repetitions, axis.repetitions);
-        measure.budget_s = axis.budget_s;
-        measure.precision = 0;
-    }
+const scene::Scene& drawn_scene(const Case& one) {
+    return one.drawn ? *one.drawn : one.scene_views.scene;
+}
 
-    void trace() {
-        if (!axis_.is_scored) return;
-        truth::SceneModel model(scene(), options_.trace.truth);
-        traced_ = harness::trace_with_facts(model, scene(), view(), options_.trace);
-    }
+harness::CellOptions options_of(const Case& one, harness::CellOptions options) {
+    options.trace.crosscheck = false;
+    options.scores_crowded = true;
+    options.scores = harness::Scores::brief;
+    options.measure.threads = one.threads.value_or(options.measure.threads);
+    options.measure.max_repetitions = 0;
+    return options;
+}
 
-    void draw(const std::vector<method::MethodConfig>& configs) {
-        // Where nothing is timed, all may draw at once.
-        const bool is_timed = axis_.repetitions > 0;
-        harness::ViewDrawings drawings{view(),
-                                       configs.size(),
-                                       is_timed ? harness::most_at_once(drawn_scene()) : 1,
-                                       is_timed ? 1 : core::hardware_threads()};
-        drawings.ready = [&](std::size_t first, std::size_t end) {
-            std::vector<method::MethodConfig> under;
-            for (std::size_t m = first; m < end; ++m)
-                under.push_back(under_case(configs[m], one_));
-            return std::make_shared<harness::PreparedMethods>(
-                harness::prepare_methods(under, drawn_scene()));
-        };
-        overflow_.resize(configs.size(), 0);
-        if (axis_.counts_faults) {
-            drawings.see = [&](std::size_t n, harness::PreparedMethod& method, const auto& drawn) {
-                if (!drawn.row.is_ok()) return;
-                const harness::MeasureOptions& measure = options_.measure;
-                overflow_[n] = count_overflow(method.method(),
-                                              method.config(),
-                                              drawn_scene(),
-                                              {view(), measure.threads, measure.skips});
-            };
-        }
-        drawn_ = harness::draw_view(drawings, options_.measure);
-    }
+harness::TracedView trace(const Case& one, const harness::TraceOptions& options) {
+    const auto& scene_views = one.scene_views;
+    truth::SceneModel model(scene_views.scene, options.truth);
+    return harness::trace_with_facts(model, scene_views.scene, scene_views.views.front(), options);
+}
 
-    void finish() {
-        harness::finish_evaluations(
-            axis_.is_scored ? scene() : drawn_scene(), view(), traced_, options_, drawn_);
-    }
-
-    [[nodiscard]] std::vector<AxisRow> rows() {
-        CaseFaults given;
-        if (axis_.counts_faults) {
-            given = count_inputs(drawn_scene(), view());
-            given.non_finite += count_non_finite(traced_.truth.traced);
-        }
-        const std::size_t own = overflow_.size();
-        std::vector<AxisRow> rows;
-        for (std::size_t i = 0; i < drawn_.size(); ++i) {
-            harness::Row& row = drawn_[i].row;
-            row.axis = axis_.name;
-            row.value = one_.value;
-            row.triangles = static_cast<std::int64_t>(scene::triangle_count(drawn_scene()));
-            if (axis_.repetitions == 0) harness::clear_times(row);
-            CaseFaults faults = given;
-            faults.non_finite += count_non_finite(row);
-            faults.overflow += i < own ? overflow_[i] : 0;
-            // A difficulty takes no line out of the image: where all are gone the case is lost.
-            // Lines that a zoom has made too dense to score are there.
-            faults.lost = row.is_ok() || row.status.starts_with("crowded") ? 0 : 1;
-            rows.push_back({std::move(row), faults});
-        }
-        return rows;
-    }
-
-  private:
-    [[nodiscard]] const scene::Scene& scene() const { return one_.scene_views.scene; }
-    [[nodiscard]] const scene::Scene& drawn_scene() const {
-        return one_.drawn ? *one_.drawn : scene();
-    }
-    [[nodiscard]] const scene::View& view() const { return one_.scene_views.views.front(); }
-
-    const Axis& axis_;
-    const Case& one_;
-    harness::CellOptions options_;
-    harness::TracedView traced_;
-    std::vector<harness::Evaluation> drawn_;  ///< the methods', then the baselines'
-    std::vector<std::int64_t> overflow_;      ///< of the methods
-};
+/// What the configurations draw under a case; `overflow` counts the codes of each that overflowed.
+std::vector<harness::Evaluation> draw(const Case& one,
+                                      const std::vector<method::MethodConfig>& configs,
+                                      const harness::MeasureOptions& measure,
+                                      std::vector<std::int64_t>& overflow) {
+    const scene::View& view = one.scene_views.views.front();
+    // As nothing is timed, all may draw at once.
+    harness::ViewDrawings drawings{view, configs.size(), 1, core::hardware_threads()};
+    drawings.ready = [&](std::size_t first, std::size_t end) {
+        std::vector<method::MethodConfig> under;
+        for (std::size_t m = first; m < end; ++m)
+            under.push_back(under_case(configs[m], one));
+        return std::make_shared<harness::PreparedMethods>(
+            harness::prepare_methods(under, drawn_scene(one)));
+    };
+    drawings.see = [&](std::size_t n, harness::PreparedMethod& method, const auto& drawn) {
+        if (!drawn.row.is_ok()) return;
+        overflow[n] = count_overflow(method.method(),
+                                     method.config(),
+                                     drawn_scene(one),
+                                     {view, measure.threads, measure.skips});
+    };
+    return harness::draw_view(drawings, measure);
+}
 
 }  // namespace
 
-int rows_of_case(const Axis& axis, std::size_t configs) {
-    return static_cast<int>(configs) + (axis.is_scored ? harness::kBaselines : 0);
-}
-
-std::vector<AxisRow> axis_rows(const Axis& axis,
-                               const Case& one,
+std::vector<AxisRow> axis_rows(const Case& one,
                                const std::vector<method::MethodConfig>& configs,
                                const harness::CellOptions& options) {
     std::optional<core::ForcedSimdTarget> forced;
     for (const core::SimdTarget& target : core::simd_targets()) {
         if (target.name == one.simd_target) forced.emplace(target);
     }
-    CaseWork work(axis, one, options);
-    work.trace();
-    work.draw(configs);
-    work.finish();
-    return work.rows();
+    const scene::View& view = one.scene_views.views.front();
+    const harness::CellOptions own = options_of(one, options);
+    const harness::TracedView traced = trace(one, own.trace);
+    std::vector<std::int64_t> overflow(configs.size() + harness::kBaselines);
+    std::vector<harness::Evaluation> drawn = draw(one, configs, own.measure, overflow);
+    harness::finish_evaluations(one.scene_views.scene, view, traced, own, drawn);
+    CaseFaults given = count_inputs(drawn_scene(one), view);
+    given.non_finite += count_non_finite(traced.truth.traced);
+    std::vector<AxisRow> rows;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        harness::Row& row = drawn[i].row;
+        row.axis = one.axis;
+        row.value = one.value;
+        row.triangles = static_cast<std::int64_t>(scene::triangle_count(drawn_scene(one)));
+        harness::clear_times(row);
+        CaseFaults faults = given;
+        faults.non_finite += count_non_finite(row);
+        faults.overflow += overflow[i];
+        // A difficulty takes no line out of the image: where all are gone the case is lost. Lines
+        // that a zoom has made too dense to score are there.
+        faults.lost = row.is_ok() || row.status.starts_with("crowded") ? 0 : 1;
+        rows.push_back({std::move(row), faults});
+    }
+    return rows;
 }
 
 void note_differences(const Axis& axis, std::vector<AxisRow>& rows) {

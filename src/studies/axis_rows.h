@@ -13,16 +13,12 @@ struct AxisRow {
     CaseFaults faults = {};
 };
 
-/// How many rows a case comes to.
-[[nodiscard]] int rows_of_case(const Axis& axis, std::size_t configs);
-
-/// Draws one case of an axis with every configuration, and scores and times it as the axis has it:
-/// a row per configuration, then the baselines where it is scored.
+/// Draws one case of an axis with every configuration, and scores it within 2 px, views with most
+/// of their lines too dense to score, too: a row per configuration, then the baselines.
 ///
-/// A method that throws is a row whose status says so. Where nothing is timed, rows hold no times:
-/// they are the same bytes on every machine. Of `options`, repetitions and budget are not read.
-[[nodiscard]] std::vector<AxisRow> axis_rows(const Axis& axis,
-                                             const Case& one,
+/// A method that throws is a row whose status says so. Nothing is timed, and no truth is held
+/// against the cross-check: rows are the same bytes on every machine.
+[[nodiscard]] std::vector<AxisRow> axis_rows(const Case& one,
                                              const std::vector<method::MethodConfig>& configs,
                                              const harness::CellOptions& options);
 

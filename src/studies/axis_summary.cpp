@@ -43,9 +43,6 @@ void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, Axi
     point.f = all.f();
     point.f_range = statistics::f_interval(clusters, {.seed = seed});
     point.soft_range = statistics::f_interval(inks, {.seed = seed});
-    const auto k = static_cast<double>(all.k);
-    if (all.n_pred > 0) point.precision = k / static_cast<double>(all.n_pred);
-    if (all.n_truth > 0) point.recall = k / static_cast<double>(all.n_truth);
     point.truth_px = all.n_truth;
 }
 
@@ -147,9 +144,6 @@ core::TableOf<AxisPoint> axis_summary_table(bool has_ink) {
     range.add_derived({"f_lo", "0..1", "lower end of its nominal 95 % interval, cases resampled"},
                       &statistics::Interval::low);
     range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
-    table.add_derived({"error", "0..1", "1 - f"}, &P::error);
-    table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
-    table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
     table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
     using C = CaseFaults;
     if (has_ink) {

@@ -19,8 +19,6 @@ struct AxisPoint {
     int cases = 0;                                     ///< without failure
     std::optional<double> f;                           ///< at 2 px, of the counts pooled over cases
     std::optional<statistics::Interval> f_range = {};  ///< 95 %, cases resampled; two at least
-    std::optional<double> precision = {};
-    std::optional<double> recall = {};
     std::int64_t truth_px = 0;
     std::optional<score::SoftScore> soft = {};            ///< of grey lines, pooled over cases
     std::optional<statistics::Interval> soft_range = {};  ///< of soft F, as f_range

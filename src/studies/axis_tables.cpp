@@ -32,10 +32,8 @@ std::vector<AxisRow> read_faults(const core::CsvTable& csv, const harness::RowIn
 
 const core::TableOf<Axis>& axes_table() {
     static const auto kTable = [] {
-        core::TableOf<Axis> table("axes.csv",
-                                  "A line per axis of the run's studies: what it varies.");
+        core::TableOf<Axis> table("axes.csv", "A line per axis of the run: what it varies.");
         table.add_derived({"axis", "", "as in rows.csv"}, &Axis::name);
-        table.add_derived({"study", "", "that it belongs to"}, &Axis::study);
         table.add_derived({"title", "", "what its values are"}, &Axis::title);
         table.add_derived({"unit", "", "of its values; empty for a pure number"}, &Axis::unit);
         table.add_derived({"is_log", "", "true: values lie on a logarithmic scale"},

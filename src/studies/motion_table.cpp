@@ -28,8 +28,6 @@ void add_flicker(const core::PartOf<harness::OfCell<MotionRow>>& counts) {
 
 void add_pops(const core::PartOf<harness::OfCell<MotionRow>>& counts) {
     using P = score::PopCount;
-    counts.add_derived({"pops_per_s", "1/s", "pops per persistent feature and second"},
-                       [](const MotionRow& m) { return m.pops.per_second(m.frames_per_s); });
     const auto pops = counts.part(&MotionRow::pops);
     pops.add({"pops", "", "features shown, then dropped, then shown again"}, &P::pops);
     pops.add({"feature_runs", "", "runs of frames in which one feature is there"}, &P::runs);
@@ -41,8 +39,6 @@ void add_false_lines(const core::PartOf<harness::OfCell<MotionRow>>& counts) {
                        [](const MotionRow& m) { return total(m.lives); });
     counts.add({"false_lines_cut", "", "of them, in the first or last frame: they may live longer"},
                &MotionRow::lives_cut);
-    counts.add_derived({"median_life_frames", "frames", "median life of these; lives.csv has all"},
-                       [](const MotionRow& m) { return score::median_life(m.lives); });
 }
 
 }  // namespace
@@ -73,12 +69,6 @@ const harness::SideTable<MotionRow>& ink_motion_table() {
             "share C of pixels change from frame to frame, where they count in both.");
         using I = score::InkChange;
         const auto ink = table.part(&MotionRow::ink);
-        ink.add_derived({"ink_beyond",
-                         "",
-                         "change beyond the truth's own as a share of that: ink_beyond_px / "
-                         "ink_true_change_px"},
-                        &I::share);
-        ink.add({"ink_change_px", "px^2", "sum |change of I|"}, &I::drawn_px);
         ink.add({"ink_true_change_px", "px^2", "sum |change of C|"}, &I::true_px);
         ink.add({"ink_beyond_px", "px^2", "sum |change of I - change of C|"}, &I::beyond_px);
         return table;

@@ -46,7 +46,7 @@ class Entrants : public testing::Test {
                             edge::EdgeImage& image,
                             double wall_s = 20) const {
         const harness::SceneViews cube = cube_view();
-        const auto config = entrant_config(parse_entrant("mine=" + path), {.wall_s = wall_s});
+        const auto config = entrant_config(parse_entrant("mine=" + path), wall_s);
         const auto methods = harness::prepare_methods(std::span(&config, 1), cube.scene);
         std::vector<edge::EdgeImage> images;
         auto times = harness::draw_in_turns(methods, cube.views.front(), {}, images);

@@ -202,7 +202,7 @@ std::string some_value(const core::Param& param) {
     if (param.name == "seed" || param.name == "grid.threads") return "7";
     if (param.name == "grid.sizes") return "64x36";
     if (param.name == "grid.scenes") return "cube";
-    if (param.name == "grid.methods" || param.name == "search.against") return "ids";
+    if (param.name == "grid.methods") return "ids";
     if (param.name == "grid.entrants") return "mine=/tmp";
     if (param.name == "grid.model_list") return INK_SOURCE_DIR "/experiments/models.toml";
     if (param.name == "views.up") return "z";
@@ -220,10 +220,8 @@ TEST(OptionTable, HoldsAndRecordsWhatEveryOptionIsGiven) {
     const OptionTable& table = option_table();
     for (std::size_t row = 0; row < table.options.size(); ++row) {
         const core::Param& param = table.param(row);
-        for (const ExperimentKind kind : {ExperimentKind::compare,
-                                          ExperimentKind::stress,
-                                          ExperimentKind::animation,
-                                          ExperimentKind::hardest}) {
+        for (const ExperimentKind kind :
+             {ExperimentKind::compare, ExperimentKind::stress, ExperimentKind::animation}) {
             Experiment e;
             e.kind = kind;
             e.sizes = {{640, 360}};
@@ -288,7 +286,7 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
         // A list of models, experiments on them, which must be fetched, and those whose entrants
         // are looked for from the top of the checkout.
         const std::string stem = entry.path().stem().string();
-        constexpr std::array kLeftOut{"models", "real", "hardest_view", "outside", "webgl"};
+        constexpr std::array kLeftOut{"models", "real", "outside", "webgl"};
         if (std::find(kLeftOut.begin(), kLeftOut.end(), stem) != kLeftOut.end()) continue;
         ++files;
         const Experiment e = read_experiment(entry.path());

@@ -71,8 +71,7 @@ class ExperimentRun : public testing::Test {
 
 TEST_F(ExperimentRun, WritesItsTablesInPlanOrderAndLeavesOnlyThose) {
     const Plan plan = counting_plan(3, runs_);
-    const RunOutcome outcome = run_experiment(plan, into("a"));
-    EXPECT_THAT(outcome.tables, testing::ElementsAre(folder_ / "a" / "t.csv"));
+    (void)run_experiment(plan, into("a"));
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n2,5\n2,6\n");
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_ / "a"))
@@ -295,7 +294,8 @@ TEST_F(ExperimentRun, MergesShardsToTheBytesOfOneRun) {
     std::vector<fs::path> parts;
     for (int i = 1; i <= 3; ++i) {
         const std::string name = "part" + std::to_string(i);
-        EXPECT_TRUE(run_experiment(plan, into(name, {i, 3})).tables.empty());
+        (void)run_experiment(plan, into(name, {i, 3}));
+        EXPECT_FALSE(fs::exists(folder_ / name / "t.csv"));
         parts.push_back(folder_ / name);
     }
     (void)merge_shards(parts, folder_ / "merged");

@@ -1,38 +1,30 @@
 #include "experiment/options/model_list.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.h"
+#include "tests/core/error_text.h"
+#include "tests/core/temp_folder.h"
 
 namespace ink::experiment {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 class ModelList : public testing::Test {
   protected:
-    ModelList() { fs::create_directories(folder_); }
-    ~ModelList() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] fs::path list(const std::string& text) const {
+    [[nodiscard]] std::filesystem::path list(const std::string& text) const {
         std::ofstream(folder_ / "list.toml") << text;
         return folder_ / "list.toml";
     }
     [[nodiscard]] std::string refusal(const std::string& text) const {
-        try {
-            (void)read_model_list(list(text));
-        } catch (const core::Error& error) {
-            return error.what();
-        }
-        return "";
+        return core::error_text([&] { return read_model_list(list(text)); });
     }
 
-    fs::path folder_ = fs::temp_directory_path() / "ink_model_list";
+    const core::TempFolder folder_;
 };
 
 TEST_F(ModelList, TellsKindAndSplitOfModelsAloneAndInPackages) {

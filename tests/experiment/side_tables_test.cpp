@@ -16,12 +16,11 @@ TEST(AxesTable, ALineSaysWhatAnAxisVaries) {
     studies::Axis axis;
     axis.name = "depth";
     axis.title = "format, encoding";
-    axis.study = "own";
     axis.scale = studies::AxisScale::named;
     axis.value_names = {"z24", "z16"};
     axis.sentence = "Whatever.";
     EXPECT_EQ(studies::axes_table().line(axis),
-              "depth,own,\"format, encoding\",,false,Whatever.,z24;z16\n");
+              "depth,\"format, encoding\",,false,Whatever.,z24;z16\n");
 }
 
 TEST(FaultsTable, ReadsAndWritesTheSameBytes) {
@@ -41,16 +40,6 @@ TEST(FaultsTable, ReadsAndWritesTheSameBytes) {
         EXPECT_EQ(read[i].row.scene, rows[i].row.scene);
     }
     EXPECT_EQ(again, lines);
-}
-
-TEST(CancellationTable, ALineHasTheKindAndItsCounts) {
-    linear_code::CancellationRow row;
-    row.silent_deg = 9.5;
-    row.kind = {truth::LineClass::crease, 40};
-    row.count = {60, 5, 4, 3, 2, 1};
-    EXPECT_EQ(linear_code::cancellation_table().line(2, row), "2,9.5,crease,40,50,60,5,4,3,2,1\n");
-    row.kind = {truth::LineClass::boundary, std::nullopt};
-    EXPECT_EQ(linear_code::cancellation_table().line(2, row), "2,9.5,boundary,,,60,5,4,3,2,1\n");
 }
 
 TEST(StudyTables, RefuseACellThatRowsDoNotHave) {

@@ -1,5 +1,6 @@
 #include "linear_code/cancellation.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -53,7 +54,7 @@ std::vector<method::MethodConfig> motes() {
 
 /// The counts of a method and a kind over all views.
 struct CancellationTotal {
-    std::string method;
+    std::size_t method = 0;
     LineKind kind = {};
     CancellationCount count = {};
 
@@ -68,11 +69,11 @@ struct CancellationTotal {
 
 /// Rows added up by method and kind, or by method and class.
 std::vector<CancellationTotal> totals_of(const std::vector<CancellationRow>& rows, bool by_bin) {
-    std::map<std::pair<std::string, LineKind>, CancellationCount> sums;
+    std::map<std::pair<std::size_t, LineKind>, CancellationCount> sums;
     for (const CancellationRow& row : rows) {
         LineKind kind = row.kind;
         if (!by_bin) kind.dihedral_low_deg.reset();
-        CancellationCount& sum = sums[{row.method, kind}];
+        CancellationCount& sum = sums[{row.evaluation, kind}];
         sum.n_truth += row.count.n_truth;
         sum.predicted_missed += row.count.predicted_missed;
         sum.measured_missed += row.count.measured_missed;
@@ -87,8 +88,10 @@ std::vector<CancellationTotal> totals_of(const std::vector<CancellationRow>& row
 }
 
 std::string words(const CancellationTotal& total) {
-    return total.method + " " + std::string(truth::name(total.kind.line_class)) + " from " +
-           std::to_string(total.kind.dihedral_low_deg.value_or(-1)) + " deg";
+    return fmt::format("method {}, {} from {} deg",
+                       total.method,
+                       truth::name(total.kind.line_class),
+                       total.kind.dihedral_low_deg.value_or(-1));
 }
 
 /// How many totals have enough pixels, each of which must be within two points.
@@ -248,22 +251,11 @@ TEST(CancellationCount, CountsWhatEachInkMissesAndWhatBothDo) {
     EXPECT_EQ(count.both_false_negatives, 1) << "the last one";
 }
 
-CancellationRow made_up_row(const std::string& method, LineKind kind, std::int64_t n) {
-    CancellationRow row{.method = method, .scene = "knot, tied", .view = "front", .split = "train"};
-    row.width_px = 640;
-    row.height_px = 360;
-    row.silent_deg = 7.25;
-    row.kind = kind;
-    row.count = {n, 3, 2, 2, 1, 1};
-    return row;
-}
-
 TEST(CancellationTable, HasNoBinForBoundaries) {
-    EXPECT_EQ(cancellation_table().line(3, made_up_row("mote4", {LineClass::crease, 40}, 9)),
-              "3,7.25,crease,40,50,9,3,2,2,1,1\n");
-    EXPECT_EQ(
-        cancellation_table().line(3, made_up_row("mote4", {LineClass::boundary, std::nullopt}, 9)),
-        "3,7.25,boundary,,,9,3,2,2,1,1\n");
+    CancellationRow row{0, 7.25, {LineClass::crease, 40}, {9, 3, 2, 2, 1, 1}};
+    EXPECT_EQ(cancellation_table().line(3, row), "3,7.25,crease,40,50,9,3,2,2,1,1\n");
+    row.kind = {LineClass::boundary, std::nullopt};
+    EXPECT_EQ(cancellation_table().line(3, row), "3,7.25,boundary,,,9,3,2,2,1,1\n");
 }
 
 TEST(CancellationLaw, FacetsAreSilentBelowTheLeastStepThatFiresWhenSeenTwice) {

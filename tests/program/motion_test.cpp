@@ -19,7 +19,7 @@ TEST(Animation, FollowsAnySceneAndTheChangeOfItsInk) {
         EXPECT_EQ(line.at("view"), "pan");
         EXPECT_NE(line.at("soft_f"), "");
         if (line.at("method") == "oracle") {
-            EXPECT_EQ(line.at("ink_beyond"), "0");
+            EXPECT_EQ(line.at("ink_beyond_px"), "0");
         }
     }
     desk.write("smooth.toml", file);

@@ -24,10 +24,9 @@ std::vector<AxisRow> rows_of(const std::string& axis,
                              double value,
                              const std::vector<method::MethodConfig>& configs,
                              const CaseSize& size = kSmall) {
-    const Axis& along = find_stress_axis(axis);
     std::vector<AxisRow> rows;
-    for (const Case& one : along.cases(value, size)) {
-        for (AxisRow& row : axis_rows(along, one, configs, {}))
+    for (const Case& one : find_stress_axis(axis).cases(value, size)) {
+        for (AxisRow& row : axis_rows(one, configs, {}))
             rows.push_back(std::move(row));
     }
     return rows;
@@ -82,7 +81,7 @@ TEST(StressRows, ACaseWithoutATruePixelHasNoScore) {
         scene::look_at(eye_world, eye_world + glm::dvec3(0, 0, 1), {0, 1, 0}, 0.7);
     scene::fit_clip_range(camera, bounds);
     away.scene_views.views.front().camera = camera;
-    for (const AxisRow& row : axis_rows(find_stress_axis("zoom"), away, configs, {})) {
+    for (const AxisRow& row : axis_rows(away, configs, {})) {
         EXPECT_THAT(row.row.status, testing::StartsWith("empty: ")) << row.row.method;
         EXPECT_EQ(row.faults.lost, 1) << "a difficulty takes no line out of the image";
     }
@@ -117,26 +116,6 @@ TEST(StressRows, AMethodThatThrowsIsLost) {
         total.add(row.faults);
     EXPECT_EQ(total.lost, 4);
     EXPECT_FALSE(total.is_clean());
-}
-
-TEST(StressRows, AnImageThatMayNotDifferAndDoesIsAFault) {
-    Axis axis;
-    axis.name = "threads";
-    axis.scale = AxisScale::linear;
-    axis.values = {1, 2};
-    std::vector<AxisRow> rows(2);
-    for (std::size_t i = 0; i < 2; ++i) {
-        rows[i].row.status = "ok";
-        rows[i].row.value = axis.values[i];
-        rows[i].row.image_hash = i == 0 ? "a" : "b";
-    }
-    note_differences(axis, rows);
-    EXPECT_EQ(rows[1].faults.differing, 0) << "only where the axis allows none";
-    axis.same_images = true;
-    note_differences(axis, rows);
-    EXPECT_EQ(rows[0].row.status, "ok");
-    EXPECT_EQ(rows[1].row.status, "differs: the image is another than at threads 1");
-    EXPECT_EQ(rows[1].faults.differing, 1);
 }
 
 /// Draws an image of a size that nobody asked for.

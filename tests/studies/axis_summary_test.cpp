@@ -88,7 +88,7 @@ TEST(AxisSummary, ALostCellIsCountedAndNotScored) {
     EXPECT_DOUBLE_EQ(points[2].f.value(), 0.5);
     EXPECT_FALSE(points[2].f_range);
     EXPECT_EQ(points[2].faults.lost, 1);
-    EXPECT_THAT(axis_summary_csv(points), HasSubstr("grazing,0.1,mote4,1,0.5,,,0.5,"));
+    EXPECT_THAT(axis_summary_csv(points), HasSubstr("grazing,0.1,mote4,1,0.5,,,100,"));
 }
 
 TEST(AxisCurves, KnowTheirBestAndWorstPoint) {

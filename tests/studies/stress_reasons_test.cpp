@@ -27,7 +27,7 @@ double error_of(const std::string& axis,
     score::CurveCount all;
     const Axis& along = find_stress_axis(axis);
     for (const Case& one : along.cases(value, size)) {
-        for (const AxisRow& row : axis_rows(along, one, configs, {})) {
+        for (const AxisRow& row : axis_rows(one, configs, {})) {
             if (row.row.method != method) continue;
             // Far away a case may have no line that can be told from another.
             if (axis == "zoom" && row.row.status.starts_with("crowded")) continue;

@@ -92,13 +92,9 @@ void add_compare_command(CLI::App& app) {
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
     options.add_to(*command, {"answer.f_margin", "answer.budget_ms"});
     options.add_to(*command, {"grid.antialias", "measure.coverage", "measure.line_width_px"});
-    options.add_to(*command,
-                   {"seed",
-                    "measure.crosscheck",
-                    "measure.images",
-                    "measure.skips_off",
-                    "study.scaling",
-                    "study.motion"});
+    options.add_to(
+        *command,
+        {"seed", "measure.crosscheck", "measure.images", "measure.skips_off", "study.motion"});
     add_cache_options(*command, args->cache);
     command->footer(
         "NAME is that of up to three scenes, else compare. Killed or interrupted, the same command "

@@ -58,8 +58,7 @@ void run_entrant_test(const EntrantTestArgs& args) {
     if (!entrant.is_program)
         throw core::Error("entrant-test", args.program + " is a folder", "a program");
     const experiment::Experiment asked = args.options.read();
-    const method::MethodConfig config =
-        entrants::entrant_config(entrant, {.wall_s = asked.compare.entrant_s});
+    const method::MethodConfig config = entrants::entrant_config(entrant, asked.compare.entrant_s);
     bool is_good = true;
     for (const char* scene : kTestScenes)
         is_good = test_view(config, harness::load_one_view(scene, "", views_of(asked))) && is_good;

@@ -27,9 +27,8 @@ using Kind = core::ParamKind;
 constexpr unsigned kCompare = bit(ExperimentKind::compare);
 constexpr unsigned kStress = bit(ExperimentKind::stress);
 constexpr unsigned kAnimation = bit(ExperimentKind::animation);
-constexpr unsigned kHardest = bit(ExperimentKind::hardest);
 constexpr unsigned kTimed = kCompare | kStress;
-constexpr unsigned kAll = kTimed | kAnimation | kHardest;
+constexpr unsigned kAll = kTimed | kAnimation;
 
 constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
@@ -75,10 +74,6 @@ void read_methods(Experiment& experiment, const Given& methods) {
     });
 }
 
-std::string found_method(const core::GivenText& name) {
-    return at_place(name.where, [&] { return methods::find_method(name.text).name; });
-}
-
 void read_entrants(Experiment& experiment, const Given& entrants) {
     for (const core::GivenText& entrant : entrants) {
         at_place(entrant.where, [&] { (void)entrants::parse_entrant(entrant.text); });
@@ -103,32 +98,21 @@ void read_threads(Experiment& experiment, const Given& counts) {
         throw core::Error(counts.front().where, "stress has several", "one: they are an axis");
 }
 
-Texts sizes_text(const Experiment& experiment) {
+/// What `text_of` makes of each.
+template <class All, class TextOf>
+Texts texts_of(const All& all, TextOf text_of) {
     Texts texts;
-    for (const ImageSize& size : experiment.sizes)
-        texts.push_back(fmt::format("{}x{}", size.width_px, size.height_px));
+    for (const auto& each : all)
+        texts.emplace_back(text_of(each));
     return texts;
 }
 
-Texts antialias_text(const Experiment& experiment) {
-    Texts texts;
-    for (const methods::Antialias antialias : experiment.antialias)
-        texts.emplace_back(methods::kAntialiasNames[static_cast<std::size_t>(antialias)]);
-    return texts;
+std::string size_text(const ImageSize& size) {
+    return fmt::format("{}x{}", size.width_px, size.height_px);
 }
 
-Texts path_names() {
-    Texts names;
-    for (const scene::PathKind kind : scene::path_kinds())
-        names.emplace_back(scene::name(kind));
-    return names;
-}
-
-Texts threads_text(const Experiment& experiment) {
-    Texts texts;
-    for (const int count : experiment.threads)
-        texts.push_back(fmt::format("{}", count));
-    return texts;
+std::string_view antialias_name(methods::Antialias antialias) {
+    return methods::kAntialiasNames[static_cast<std::size_t>(antialias)];
 }
 
 void read_listed_models(Experiment& experiment, const Given& given) {
@@ -161,7 +145,6 @@ Texts names_text(const Experiment& experiment) {
 OptionTable make_table() {
     using E = Experiment;
     using C = CompareRequest;
-    using H = HardestRequest;
     using S = StressRequest;
     OptionTable table;
     const auto in = [&table](auto... place) -> auto& {
@@ -174,7 +157,7 @@ OptionTable make_table() {
         [](E& e, const Given& given) { e.seed = parse_seed(given.front()); },
         [](const E& e) { return Texts{fmt::format("{}", e.seed)}; });
 
-    in(kCompare | kAnimation | kHardest).texts(
+    in(kCompare | kAnimation).texts(
         {.name = "grid.scenes", .kind = Kind::list, .unit = "SCENE",
          .doc = "Built-in scenes or model files; train, heldout or catalogue"},
         read_scenes, names_text<&E::scenes>);
@@ -199,14 +182,15 @@ OptionTable make_table() {
     in(kAll, "--size").texts(
         {.name = "grid.sizes", .kind = Kind::list, .unit = "WIDTHxHEIGHT",
          .doc = "Image size in pixels"},
-        read_sizes, sizes_text);
+        read_sizes, [](const E& e) { return texts_of(e.sizes, size_text); });
     table.options.back().is_once = true;
     in(kAll, "--threads").texts(
         {.name = "grid.threads", .kind = Kind::list, .unit = "N",
          .doc = "Threads a method may use while it is timed"},
-        read_threads, threads_text);
+        read_threads,
+        [](const E& e) { return texts_of(e.threads, [](int n) { return std::to_string(n); }); });
     table.options.back().is_once = true;
-    in(kCompare | kAnimation | kHardest, "--model-list").texts(
+    in(kCompare | kAnimation, "--model-list").texts(
         {.name = "grid.model_list", .kind = Kind::text, .unit = "FILE",
          .doc = "Says of model files which kind of thing they are, and on which settings were "
                 "found: a TOML file like experiments/models.toml"},
@@ -218,7 +202,7 @@ OptionTable make_table() {
          .doc = "Samples of a pixel that methods draw: none, resolve4 (2 x 2) or resolve16 (4 x 4), "
                 "averaged; of several each is a method of its own, NAME_resolve4 (default: none)"},
         [](E& e, const Given& given) { e.antialias = methods::parse_antialias(given); },
-        antialias_text);
+        [](const E& e) { return texts_of(e.antialias, antialias_name); });
     add_view_rows(table);
     in(kStress, "--axes,--axis", "axis").texts(
         {.name = "grid.axes", .kind = Kind::list, .choices = core::names_of(studies::stress_axes()),
@@ -238,7 +222,7 @@ OptionTable make_table() {
         "By which the image moves a frame");
     in(kAnimation, "", "path").texts(
         {.name = "grid.paths", .kind = Kind::list,
-         .choices = path_names(), .unit = "PATHS",
+         .choices = texts_of(scene::path_kinds(), [](auto kind) { return scene::name(kind); }), .unit = "PATHS",
          .doc = "Paths of the camera before any scene, instead of the sequences of the study"},
         read_names<&E::animation, &AnimationRequest::paths>,
         names_text<&E::animation, &AnimationRequest::paths>);
@@ -257,13 +241,13 @@ OptionTable make_table() {
         &E::coverage, "measure.coverage",
         "Score grey lines, too: soft_f of each pixel's drawn share against the share that the true "
         "lines cover, with missing, surplus and misplaced ink. A comparison answers by it, and has "
-        "it where a method that draws ink is named; a search for the hardest view seeks its least");
+        "it where a method that draws ink is named");
     in(kAll, "--line-width").number(
         &E::line_width_px, "measure.line_width_px",
         {score::kLeastLineWidth_px, score::kMostLineWidth_px}, "PX",
         "Width of grey lines: of the true ones with --coverage, and of those that methods draw with "
         "--antialias");
-    in(kCompare | kHardest, "--no-crosscheck,--no-witness").flag(
+    in(kCompare, "--no-crosscheck,--no-witness").flag(
         &E::crosscheck, "measure.crosscheck", "Skip the independent check of the ground truth");
     in(kCompare, "--entrant-seconds").number(
         kField<&E::compare, &C::entrant_s>, "measure.entrant_seconds", {0.01, 86400}, "SECONDS",
@@ -309,42 +293,10 @@ OptionTable make_table() {
         {0, 1e6}, "MS",
         "The answer is of the methods whose frame takes at most so long (0: any)");
 
-    in(kCompare, "--scaling").flag(
-        kField<&E::compare, &C::study_scaling>, "study.scaling",
-        "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: rows of study scaling "
-        "and plots, about a minute");
     in(kCompare, "--motion").flag(
         kField<&E::compare, &C::study_motion>, "study.motion",
         "Also draw sequences in which the camera moves slowly: flicker, pops, lives of false "
         "lines; motion.csv and plots, about a minute");
-
-    in(kHardest, "--hardest", "method").texts(
-        {.name = "search.methods", .kind = Kind::list,
-         .choices = core::names_of(methods::registry()), .unit = "METHOD",
-         .doc = "Search eye, target, field of view and moment of each scene for the view on which "
-                "this method has the least F at 2 px; of several, each by itself"},
-        [](E& e, const Given& given) {
-            e.hardest.methods.clear();
-            for (const core::GivenText& text : given)
-                e.hardest.methods.push_back(found_method(text));
-        },
-        names_text<&E::hardest, &H::methods>);
-    in(kHardest, "--against").texts(
-        {.name = "search.against", .kind = Kind::text, .unit = "METHOD",
-         .doc = "Search for the view on which it loses most F to this method"},
-        [](E& e, const Given& given) { e.hardest.against = found_method(given.front()); },
-        [](const E& e) {
-            return e.hardest.against.empty() ? Texts{} : Texts{e.hardest.against};
-        });
-    in(kHardest, "--evaluations").number(
-        kField<&E::hardest, &H::evaluations>, "search.evaluations", {1, 1e6},
-        "N", "Views to look at, of each scene and method");
-    in(kHardest, "--least-truth").number(
-        kField<&E::hardest, &H::least_truth_px>, "search.least_truth_px",
-        {1, 1e6}, "PX", "A view with fewer true pixels that count is none");
-    in(kHardest, "--worst").number(
-        kField<&E::hardest, &H::worst>, "search.worst", {1, 100}, "N",
-        "Views that are kept of each scene and method, 10 degrees apart at least");
     // clang-format on
     return table;
 }

@@ -248,8 +248,6 @@ glm::dvec3 checked_direction(const glm::dvec3& direction, const core::GivenText&
 void add_view_rows(OptionTable& table) {
     constexpr unsigned kCompare = bit(ExperimentKind::compare);
     constexpr unsigned kAnimation = bit(ExperimentKind::animation);
-    constexpr unsigned kHardest = bit(ExperimentKind::hardest);
-    constexpr unsigned kViews = kCompare | kHardest;
     constexpr unsigned kNoFile = 0;
     constexpr double kMost = std::numeric_limits<double>::infinity();
     constexpr double kMostInt = std::numeric_limits<int>::max();
@@ -263,14 +261,14 @@ void add_view_rows(OptionTable& table) {
                 "'file' for the model's own cameras (default: a built-in scene's own views, "
                 "three round a model); named views are parallel"},
         read_views, none);
-    add_number<&V::orbit_count>(in(kViews),
+    add_number<&V::orbit_count>(in(kCompare),
         {.name = "views.orbit", .kind = Kind::integer, .min = 1, .max = 360,
          .doc = "N views round the scene"});
-    in(kViews).texts(
+    in(kCompare).texts(
         {.name = "views.directions", .kind = Kind::list, .doc = "Views round the scene by name"},
         read_directions,
         [](const Experiment& e) { return core::names_of(e.view_request.directions); });
-    in(kViews).flag(
+    in(kCompare).flag(
         kField<&Experiment::view_request, &V::file_cameras>, "views.file_cameras",
         "The model's own cameras");
     in(kCompare | kAnimation, "--projection").texts(
@@ -281,20 +279,20 @@ void add_view_rows(OptionTable& table) {
                 "named views and a file's parallel cameras)"},
         read_projections, projections_text);
     table.options.back().is_once = true;
-    add_number<&V::height_world>(in(kViews, "--parallel"),
+    add_number<&V::height_world>(in(kCompare, "--parallel"),
         {.name = "views.parallel_height", .kind = Kind::real, .min = -kMost, .max = kMost,
          .unit = "HEIGHT",
          .doc = "Height that parallel views show, in the scene's units, instead of --fov "
                 "(default: as much as a pinhole sees at the scene's middle)"});
-    in(kViews, "--fit").texts(
+    in(kCompare, "--fit").texts(
         {.name = "views.fit", .kind = Kind::text, .unit = "sphere|box",
          .doc = "What views round the scene are fitted to: its bounding sphere, or what each "
                 "view shows of it (default: sphere)"},
         read_fit, fit_text);
-    add_number<&V::margin>(in(kViews, "--margin"),
+    add_number<&V::margin>(in(kCompare, "--margin"),
         {.name = "views.margin", .kind = Kind::real, .max = kMostMargin, .unit = "SHARE",
          .doc = "Share of the frame that --fit box leaves free on either side (default: 0.04)"});
-    in(kViews, "--object").texts(
+    in(kCompare, "--object").texts(
         {.name = "views.objects", .kind = Kind::list, .unit = "NAME",
          .doc = "Frame this object of the scene only; may be given again"},
         read_objects, [](const Experiment& e) { return e.view_request.objects; });
@@ -306,7 +304,7 @@ void add_view_rows(OptionTable& table) {
         {.name = "views.target", .kind = Kind::list, .unit = "X,Y,Z",
          .doc = "Point looked at, one per --eye (default: the scene's centre)"},
         read_targets, none);
-    in(kViews, "--up").texts(
+    in(kCompare, "--up").texts(
         {.name = "views.up", .kind = Kind::text, .unit = "x|y|z|X,Y,Z",
          .doc = "What is up: with --eye a direction, in views by name an axis (default: y, but "
                 "z for views by name of .stl files)"},
@@ -316,18 +314,18 @@ void add_view_rows(OptionTable& table) {
          .doc = fmt::format("Vertical field of view, with --eye (default: {:g})",
                             harness::CameraRequest{}.fov_deg)},
         read_fov, none);
-    add_number<&V::time_s>(in(kViews, "--time"),
+    add_number<&V::time_s>(in(kCompare, "--time"),
         {.name = "views.time_s", .kind = Kind::real, .min = -kMost, .max = kMost, .unit = "SECONDS",
          .doc = "Moment of an animated scene (default: its rest pose)"});
-    add_number<&V::frame>(in(kViews, "--frame"),
+    add_number<&V::frame>(in(kCompare, "--frame"),
         {.name = "views.frame", .kind = Kind::integer, .max = kMostInt,
          .unit = "N", .doc = "A stored frame's number, instead of --time"});
-    in(kViews, "--animation").texts(
+    in(kCompare, "--animation").texts(
         {.name = "views.animation", .kind = Kind::text, .unit = "NAME|N",
          .doc = "Which animation of a model file moves it (default: the first; inkbench "
                 "explain names all)"},
         read_animation, animation_text);
-    in(kCompare | kAnimation | kHardest, "--seams").choice(
+    in(kCompare | kAnimation, "--seams").choice(
         [](auto& e) -> auto& { return e.view_request.model.material_seams; },
         "grid.seams", {"objects", "materials"},
         "Where a smooth surface has seams: between objects of a model file, or between their "

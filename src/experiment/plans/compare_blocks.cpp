@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 
-#include "experiment/stage_times.h"
 #include "harness/cells/sweep.h"
 #include "harness/images/view_images.h"
 #include "harness/rows/cost_tables.h"
@@ -35,13 +34,9 @@ std::vector<harness::Evaluation> draw(ViewBench& bench,
                                       std::size_t count,
                                       Ready ready,
                                       const harness::MeasureOptions& measure,
-                                      StageTimes& stages,
                                       Layers* layers = nullptr) {
     harness::ViewDrawings drawings{*at.view, count, bench.most_at_once(at.scene)};
-    drawings.ready = [&](std::size_t first, std::size_t end) {
-        const StageTimer timer(stages, WorkStage::prepare, WorkStage::draw);
-        return ready(first, end);
-    };
+    drawings.ready = ready;
     if (layers != nullptr) {
         drawings.see = [&](std::size_t, harness::PreparedMethod& method, const auto& drawn) {
             if (!drawn.row.is_ok()) return;
@@ -49,25 +44,7 @@ std::vector<harness::Evaluation> draw(ViewBench& bench,
                 harness::buffer_layers(method, {*at.view, measure.threads, measure.skips}));
         };
     }
-    const StageTimer timer(stages, WorkStage::draw);
     return harness::draw_view(drawings, measure);
-}
-
-std::shared_ptr<const harness::TracedView> trace(ViewBench& bench,
-                                                 const BlockPlace& at,
-                                                 StageTimes& stages) {
-    const StageTimer timer(stages, WorkStage::truth);
-    return bench.traced(at.scene, *at.view);
-}
-
-void finish(const scene::Scene& scene,
-            const BlockPlace& at,
-            const harness::TracedView& traced,
-            const harness::CellOptions& options,
-            std::vector<harness::Evaluation>& evaluations,
-            StageTimes& stages) {
-    const StageTimer timer(stages, WorkStage::score);
-    harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
 }
 
 /// Why the scored evaluations are wrong where they are, and what codes had to miss.
@@ -77,19 +54,11 @@ void explain(ViewBench& bench,
              std::vector<harness::Evaluation>& evaluations,
              BlockResult& result) {
     harness::MissPredictor& predictor = bench.predictor(at.scene);
-    {
-        const StageTimer timer(result.stages, WorkStage::causes);
-        harness::attribute_evaluations(truth, *at.view, predictor, evaluations);
-    }
-    const StageTimer timer(result.stages, WorkStage::cancellation);
+    harness::attribute_evaluations(truth, *at.view, predictor, evaluations);
     for (const linear_code::CancellationRow& row :
          linear_code::study_cancellation(truth, *at.view, predictor, evaluations)) {
-        const auto evaluation =
-            std::find_if(evaluations.begin(), evaluations.end(), [&](const harness::Evaluation& s) {
-                return s.row.method == row.method;
-            });
         result.lines["cancellation.csv"] += linear_code::cancellation_table().line(
-            at.first_cell + (evaluation - evaluations.begin()), row);
+            at.first_cell + static_cast<std::int64_t>(row.evaluation), row);
     }
 }
 
@@ -103,7 +72,7 @@ BlockResult run_methods(ViewBench& bench,
     harness::CellOptions options = bench.cell_options(at.threads);
     options.scores = is_full ? harness::Scores::full : harness::Scores::brief;
     BlockResult result;
-    const std::shared_ptr<const harness::TracedView> held = trace(bench, at, result.stages);
+    const std::shared_ptr<const harness::TracedView> held = bench.traced(at.scene, *at.view);
     const harness::TracedView& traced = *held;
     const bool keeps_images = at.keeps_images && traced.has_truth();
     Layers layers;
@@ -119,10 +88,9 @@ BlockResult run_methods(ViewBench& bench,
                            bench.configs().size(),
                            ready,
                            options.measure,
-                           result.stages,
                            keeps_images ? &layers : nullptr);
     }
-    finish(scene, at, traced, options, evaluations, result.stages);
+    harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
     if (is_full && traced.has_truth()) explain(bench, at, traced.truth, evaluations, result);
     harness::check_baselines(evaluations, result.faults);
     for (std::size_t i = 0; i < evaluations.size(); ++i) {
@@ -136,10 +104,7 @@ BlockResult run_methods(ViewBench& bench,
         if (i < at.sweeps_own.size() && at.sweeps_own[i])
             result.lines["sweep.csv"] += harness::sweep_line(cell, 1, swept, evaluation.row);
     }
-    if (keeps_images) {
-        const StageTimer timer(result.stages, WorkStage::images);
-        result.files = harness::image_files(traced.truth, scene, evaluations, layers);
-    }
+    if (keeps_images) result.files = harness::image_files(traced.truth, scene, evaluations, layers);
     return result;
 }
 
@@ -155,10 +120,13 @@ BlockResult run_settings(ViewBench& bench,
     const auto ready = [&](std::size_t first, std::size_t end) {
         return bench.prepared(std::span(drawings.drawn()).subspan(first, end - first), at.scene);
     };
-    std::vector<harness::Evaluation> evaluations = drawings.shared(
-        draw(bench, at, drawings.drawn().size(), ready, options.measure, result.stages));
-    const auto traced = trace(bench, at, result.stages);
-    finish(bench.scenes()[at.scene], at, *traced, options, evaluations, result.stages);
+    std::vector<harness::Evaluation> evaluations =
+        drawings.shared(draw(bench, at, drawings.drawn().size(), ready, options.measure));
+    harness::finish_evaluations(bench.scenes()[at.scene],
+                                *at.view,
+                                *bench.traced(at.scene, *at.view),
+                                options,
+                                evaluations);
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
     for (std::size_t i = 0; i < part.settings.size(); ++i) {
         if (!bench.experiment().times) clear_times(evaluations[i].row);

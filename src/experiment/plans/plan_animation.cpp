@@ -114,7 +114,9 @@ void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& 
 
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     const auto stage = std::make_shared<Stage>();
-    stage->configs = timed_configs_of(experiment);
+    stage->configs = configs_of(experiment);
+    // Methods from outside have no frames of a sequence.
+    std::erase_if(stage->configs, [](const auto& config) { return config.is_outside; });
     stage->trace = trace;
     stage->line_width_px = scored_width_px(experiment);
     plan.add_table(harness::rows_table());

@@ -13,7 +13,6 @@
 #include "harness/rows/cost_tables.h"
 #include "harness/rows/score_tables.h"
 #include "linear_code/cancellation_study.h"
-#include "studies/scaling_axes.h"
 
 namespace ink::experiment {
 namespace {
@@ -222,8 +221,6 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
             }
         }
     }
-    if (experiment.compare.study_scaling)
-        plan_axes(studies::scaling_axes(), experiment, trace, plan);
     if (experiment.compare.study_motion) plan_animation(motion_beside(experiment), trace, plan);
 }
 

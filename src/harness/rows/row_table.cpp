@@ -49,10 +49,7 @@ void add_choice(RowTable& table,
 
 void add_place(RowTable& table) {
     table.add({"cell", "", "number of the cell; side tables name it by this"}, &RowRecord::cell);
-    table.add({"study",
-               "",
-               "what it was measured for: compare, stress, motion, scaling, "
-               "tune"},
+    table.add({"study", "", "what it was measured for: compare, stress, motion, tune"},
               &RowRecord::study);
     const auto row = table.part(&RowRecord::row);
     row.add({"axis", "", "of a study: what grows, as in axes.csv; empty where nothing does"},

@@ -8,7 +8,6 @@ struct Study {
     static constexpr const char* compare = "compare";
     static constexpr const char* stress = "stress";
     static constexpr const char* motion = "motion";
-    static constexpr const char* scaling = "scaling";
     static constexpr const char* tune = "tune";
 };
 

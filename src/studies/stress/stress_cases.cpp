@@ -100,9 +100,6 @@ Axis make_axis(StressHeading heading,
     axis.scale = heading.scale;
     axis.values = std::move(values);
     axis.sentence = std::move(sentence);
-    axis.is_crosschecked = false;
-    axis.scores_crowded = true;
-    axis.counts_faults = true;
     axis.cases = [name = axis.name, make = std::move(make)](double value, const CaseSize& size) {
         return make({name, value, size});
     };

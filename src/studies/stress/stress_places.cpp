@@ -32,21 +32,6 @@ void move_away(const StressPoint& point, Case& stress) {
     transform(stress, glm::translate(glm::dmat4(1), kAway * point.value), 1);
 }
 
-/// The same camera, parallel, so many radii from the middle of the scene.
-void see_from_afar(const StressPoint& point, Case& stress) {
-    scene::Camera& camera = stress.scene_views.views.front().camera;
-    const scene::Sphere bounds = scene::bounding_sphere(stress.scene_views.scene);
-    const scene::Camera near = scene::projected(scene::ProjectionKind::parallel, camera, bounds);
-    const glm::dvec3 way_world =
-        point.value * bounds.radius * -glm::transpose(camera.view_from_world)[2];
-    const std::string name = camera.name;
-    camera = scene::parallel_camera({.target_world = bounds.center_world,
-                                     .way_world = way_world,
-                                     .height_world = near.height_world},
-                                    bounds);
-    camera.name = name;
-}
-
 /// The scene with world positions in floats, as a renderer holds it that knows no others.
 scene::Scene in_floats(const scene::Scene& scene) {
     scene::Scene rounded;
@@ -228,12 +213,6 @@ void add_place_axes(std::vector<Axis>& axes) {
                       move_away(point, stress);
                       stress.drawn = in_floats(stress.scene_views.scene);
                   })));
-    axes.push_back(
-        make_axis({"parallel_distance", "distance of a parallel camera from the scene", "radii"},
-                  decades(1, 9),
-                  "A parallel camera goes away along its direction of sight, in which nothing "
-                  "that it sees changes.",
-                  changed(base_cases(), see_from_afar)));
     axes.push_back(
         make_axis({"scale", "size of the model over its own"},
                   powers_of_two(-30, 30, 6),

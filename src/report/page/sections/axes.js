@@ -1,5 +1,5 @@
-// Curves over an axis: how the error or the time of every method grows along each axis of a study, all
-// axes beside each other and one axis large.
+// Curves over an axis: how the error of every method grows along each axis of a study, all axes beside
+// each other and one axis large.
 
 state.define('axes.axis', '');
 state.define('axes.log', false);
@@ -8,28 +8,24 @@ state.define('axes.soft', false);
 
 /// An error that moves by less than this along an axis counts as steady.
 const AXIS_STEADY = 0.02;
-/// Two least times of one frame differ by this share at least, whatever the machine.
-const AXIS_NOISE = 0.1;
 
 /// What is drawn over an axis.
 const AXIS_MEASURES = {
-    error: {title: 'error 1 − F', id: 'stress', format: value => formatShare(value)},
-    soft: {title: 'error 1 − soft F', id: 'stress', format: value => formatShare(value)},
-    time: {title: 'least time of a frame', id: 'scaling', format: axisTime},
+    error: {title: 'error 1 − F'},
+    soft: {title: 'error 1 − soft F'},
 };
 
 addSection({
     id: 'axes',
     title: 'Curves over an axis',
     intro: 'One thing grows at a time, and everything else stays as it is. The error is 1 − F at 2 px: a point ' +
-        'pools the counts of all scenes, which stay the same along an axis. The time is the least of a frame. ' +
+        'pools the counts of all scenes, which stay the same along an axis. ' +
         'Dashed lines: tuned settings, and the baselines “sampled” and “exact_corner”, one exact sample a pixel.',
-    isThere: view => view.run.has('axis_summary.csv') || axisTimes(view.run).length > 0,
+    isThere: view => view.run.has('axis_summary.csv'),
     uses: ['axes.*', 'sort.axis*'],
     draw(root, view) {
         const axes = axesOf(view);
-        const errors = axes.filter(axis => axis.measure !== AXIS_MEASURES.time);
-        axisFaults(root, view, errors);
+        axisFaults(root, view, axes);
         if (axes.length === 0) {
             root.append(element('p', {class: 'note'}, 'The filters leave no method that was measured here.'));
             return;
@@ -37,14 +33,12 @@ addSection({
         root.append(axisTools(hasSoftAxes(view)), methodLegend(root, [...new Set(axes.flatMap(axis => axis.curves.map(c => c.info)))]));
         const grid = chartGrid();
         root.append(grid);
-        const shared = d3.max(errors, axis => axisMost(axis.curves));
+        const shared = d3.max(axes, axis => axisMost(axis.curves));
         for (const axis of axes) axisChart(grid, axis, {height: 230, shared});
-        if (errors.length) {
-            root.append(element('h3', {}, 'Which methods lose most, and where'));
-            axisLosses(root, errors);
-        }
+        root.append(element('h3', {}, 'Which methods lose most, and where'));
+        axisLosses(root, axes);
         oneAxis(root, axes);
-        root.append(element('p', {class: 'note'}, axisWords(view, errors)));
+        root.append(element('p', {class: 'note'}, axisWords(view)));
     },
 });
 
@@ -53,58 +47,38 @@ function hasSoftAxes(view) {
     return view.run.table('axis_summary.csv').lines.some(line => isNumber(line.soft_f));
 }
 
-/// Rows of studies whose times are told over an axis: those of one scene.
-function axisTimes(run) {
-    const rows = run.table('rows.csv').lines.filter(row => row.axis);
-    return rows.some(row => row.draw_ns_min > 0) ? rows.filter(row => row.draw_ns_min > 0 || row.status !== 'ok') : [];
-}
-
 /// The axes that have points: {name, measure, title, unit, isLog, sentence, names, lines, curves}, in the run's order.
 /// A curve has points {value, y, low, high, line}.
 function axesOf(view) {
     const known = new Map(view.run.table('axes.csv').lines.map(line => [line.axis, line]));
-    const make = (measure, all, pointOf) => [...groupBy(all.filter(line => view.isMethodShown(line.method)),
-        line => line.axis)].map(([name, lines]) => {
+    const share = f => (isNumber(f) ? 1 - f : null);
+    const isSoft = state.get('axes.soft') && hasSoftAxes(view);
+    const pointOf = isSoft
+        ? line => ({line, value: line.value, y: share(line.soft_f), low: share(line.soft_hi), high: share(line.soft_lo)})
+        : line => ({line, value: line.value, y: share(line.f), low: share(line.f_hi), high: share(line.f_lo)});
+    const shown = view.run.table('axis_summary.csv').lines.filter(line => view.isMethodShown(line.method));
+    return [...groupBy(shown, line => line.axis)].map(([name, lines]) => {
         const about = known.get(name) || {};
         const curves = byMethod(view.run, lines).map(group => ({
             ...group, points: sortLines(group.lines.map(pointOf), {value: point => point.value}),
         })).filter(curve => curve.points.some(point => isNumber(point.y)) && !['none', 'oracle'].includes(curve.name));
         return {
-            name, measure, lines, curves, title: about.title || name, unit: about.unit || '',
+            name, measure: isSoft ? AXIS_MEASURES.soft : AXIS_MEASURES.error, lines, curves,
+            title: about.title || name, unit: about.unit || '',
             isLog: about.is_log ?? false, sentence: about.sentence || '',
             names: about.value_names ? about.value_names.split(';') : [],
         };
     }).filter(axis => axis.curves.length > 0);
-    const share = f => (isNumber(f) ? 1 - f : null);
-    const errors = state.get('axes.soft') && hasSoftAxes(view)
-        ? [AXIS_MEASURES.soft, line => ({
-            line, value: line.value, y: share(line.soft_f), low: share(line.soft_hi), high: share(line.soft_lo)})]
-        : [AXIS_MEASURES.error, line => ({
-            line, value: line.value, y: share(line.f), low: share(line.f_hi), high: share(line.f_lo)})];
-    return [
-        ...make(errors[0], view.run.table('axis_summary.csv').lines, errors[1]),
-        ...make(AXIS_MEASURES.time, axisTimes(view.run), line => ({
-            line, value: line.value, y: line.draw_ns_min,
-            noise: Math.max(AXIS_NOISE, line.draw_ns / line.draw_ns_min - 1 || 0)})),
-    ];
 }
 
 /// A value of an axis as people read it: "20°", "1e-7", "zbuffer16".
 function axisValue(axis, value) {
     if (axis.names.length) return axis.names[value - 1] || String(value);
     const size = Math.abs(value);
-    const text = axis.measure === AXIS_MEASURES.time && size >= 1e4 ? d3.format('.3~s')(value)
-        : value === 0 || (size >= 1e-3 && size < 1e5) ? String(Number(value.toPrecision(4)))
-            : value.toExponential(1).replace('.0e', 'e').replace('e+', 'e');
+    const text = value === 0 || (size >= 1e-3 && size < 1e5) ? String(Number(value.toPrecision(4)))
+        : value.toExponential(1).replace('.0e', 'e').replace('e+', 'e');
     if (axis.unit === '') return text;
     return axis.unit === 'deg' ? `${text}°` : `${text} ${axis.unit}`;
-}
-
-function axisTime(ns) {
-    if (!isNumber(ns)) return NOTHING;
-    if (ns < 999500) return `${Number((ns / 1e3).toPrecision(3))} µs`;
-    if (ns < 999500000) return `${Number((ns / 1e6).toPrecision(3))} ms`;
-    return `${Number((ns / 1e9).toPrecision(3))} s`;
 }
 
 /// The point of least and that of greatest error along a curve, and by how much they differ.
@@ -139,7 +113,7 @@ const AXIS_FAULTS = [
     ['differing', 'images that differ', 'on axes along which no image may change'],
 ];
 
-function axisFaults(root, view, errors) {
+function axisFaults(root, view, axes) {
     const lines = view.run.table('axis_summary.csv').lines;
     const items = AXIS_FAULTS.filter(([field]) => sumOf(lines, field) > 0).map(([field, words, meaning]) => {
         const where = distinct(lines.filter(line => line[field] > 0), line => `${line.axis} (${line.method})`);
@@ -152,8 +126,8 @@ function axisFaults(root, view, errors) {
         root.append(warningBox('Something went wrong that must not.', 'Faults, and cells without a result:', items));
     } else if (view.run.has('stress.csv')) {
         root.append(element('p', {},
-            `No fault in ${count(view.run.table('stress.csv').lineCount, 'cell')} along ${errors.length} ` +
-            `${errors.length === 1 ? 'axis' : 'axes'}: nothing crashed, no code overflowed, every number is finite, ` +
+            `No fault in ${count(view.run.table('stress.csv').lineCount, 'cell')} along ${axes.length} ` +
+            `${axes.length === 1 ? 'axis' : 'axes'}: nothing crashed, no code overflowed, every number is finite, ` +
             'and images that must be the same are the same.'));
     }
 }
@@ -210,25 +184,21 @@ function oneAxis(root, axes) {
         chooser('One axis large', axes.map(a => [a.name, a.name.replace(/_/g, ' ')]),
         axis.name, name => state.set({'axes.axis': name}))));
     if (axis.sentence) root.append(element('p', {class: 'soft'}, axis.sentence));
-    const isTime = axis.measure === AXIS_MEASURES.time;
-    const steps = isTime ? axisSteps(axis) : [];
-    root.append(element('p', {}, isTime ? axisGrowth(axis, steps) : axisSentence(axis)));
+    root.append(element('p', {}, axisSentence(axis)));
     axisChart(root, axis, {height: 440, shared: null, intervals: true, labels: true});
     const values = distinct(axis.curves.flatMap(curve => curve.points), point => point.value).sort((a, b) => a - b);
     const pointAt = (curve, value) => curve.points.find(point => point.value === value) || {};
     makeTable(root, {
         name: `axis-${axis.name}`, lines: axis.curves, lineClass: baselineClass,
-        caption: isTime ? 'Least time of a frame.'
-            : `Error 1 − ${axis.measure === AXIS_MEASURES.soft ? 'soft F' : 'F at 2 px'}, with its interval where several scenes were drawn.`,
+        caption: `Error 1 − ${axis.measure === AXIS_MEASURES.soft ? 'soft F' : 'F at 2 px'}, with its interval where several scenes were drawn.`,
         columns: [infoColumn(), ...values.map((value, i) => ({
             key: `at_${i}`, title: axisValue(axis, value), best: 'low',
-            value: curve => pointAt(curve, value).y ?? null, text: curve => axis.measure.format(pointAt(curve, value).y),
-            css: curve => (isTime ? '' : errorShade(pointAt(curve, value).y ?? null, 0.6)),
+            value: curve => pointAt(curve, value).y ?? null, text: curve => formatShare(pointAt(curve, value).y),
+            css: curve => errorShade(pointAt(curve, value).y ?? null, 0.6),
             hint: curve => (isNumber(pointAt(curve, value).y) ? axisPointText(axis, curve,
                 pointAt(curve, value)).join('\n') : ''),
         }))],
     });
-    if (steps.length) axisExponents(root, axis, steps);
 }
 
 function axisSentence(axis) {
@@ -243,8 +213,7 @@ function axisSentence(axis) {
         `The error grows most for ${moving.slice(0, 3).map(words).join('; ')}.`;
 }
 
-function axisWords(view, errors) {
-    if (errors.length === 0) return '';
+function axisWords(view) {
     const row = view.run.table('rows.csv').lines.find(line => line.study === 'stress');
     const size = row ? `Images are ${row.width} × ${row.height} px. ` : '';
     return `${size}The truth is of the polyhedron as given. Intervals come from drawing the ` +

@@ -3,8 +3,8 @@
 
 function drawHeader(root, view) {
     const {run, best, isWhole} = view;
-    const isAlone = runs.length === 1 && isWhole && best !== null && !run.has('hardest.csv');
-    const [lead, ...more] = run.rows.length && !run.has('hardest.csv') ? leadWords(view) : [runWords(run)];
+    const isAlone = runs.length === 1 && isWhole && best !== null;
+    const [lead, ...more] = run.rows.length ? leadWords(view) : [runWords(run)];
     root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
@@ -16,7 +16,7 @@ function drawHeader(root, view) {
                 isAlone ? answerWords(run.words.home, best) : null,
                 unscoredWarning(),
                 busyWarning(),
-                best && !run.has('hardest.csv') ? extentNote(view, more) : null),
+                best ? extentNote(view, more) : null),
             isAlone ? takeHome(run.words.home) : null),
     ].filter(Boolean));
 }
@@ -53,15 +53,13 @@ function extentNote(view, more) {
 
 function runWords(run) {
     const words = {stress: 'How errors grow along axes of difficulty.', animation: 'How methods behave in motion.',
-                   tune: 'A search for better settings.',
-                   hardest: 'The views on which a method is worst: a promise is no better than its worst view.'};
+                   tune: 'A search for better settings.'};
     return [words[run.record.kind], run.finding?.rest].filter(Boolean).join(' ');
 }
 
 function headline(view) {
     const {run} = view;
     if (runs.length > 1) return `${runs.length} runs beside each other: ${runs.map(r => r.label).join(', ')}`;
-    if (run.has('hardest.csv')) return hardestWords(run);
     if (run.rows.length) return view.isWhole ? run.words.first : answerOfSums(view);
     if (run.finding) return run.finding.first;
     return run.record.name === run.record.kind ? run.record.kind : `${run.record.kind}: ${run.record.name}`;

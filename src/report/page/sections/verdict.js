@@ -7,7 +7,7 @@ addSection({
     intro: view => 'Counts of all views are pooled. F is the harmonic mean of precision and recall of one-to-one ' +
         'matches between drawn and true pixels' + (hasInk() ? ', soft F that of their ink' : '') + '. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
         'sampled (one exact sample a pixel, at its centre), exact_corner (one at its corner), oracle (the truth itself).',
-    isThere: view => view.run.rows.length > 0 && !view.run.has('hardest.csv'),
+    isThere: view => view.run.rows.length > 0,
     uses: ['sort.verdict'],
     draw(root, view) {
         for (const text of view.isWhole ? view.run.words.warnings : []) root.append(element('p', {class: 'note'}, text.replaceAll('`', '')));

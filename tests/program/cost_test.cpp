@@ -7,29 +7,6 @@
 namespace ink::program {
 namespace {
 
-// What is in them, the tests of their rooms hold.
-TEST(CompareStudies, WriteTheirTablesAndSectionsOnlyIfAsked) {
-    const Desk desk;
-    const Words words =
-        "compare --scenes cube --methods mote2 --size 64x36 --repetitions 1 --no-sweep "
-        "--no-crosscheck --force --out out";
-    expect_done(desk, words + "--scaling --motion");
-    for (const auto& row : rows_of_study(desk, "scaling")) {
-        EXPECT_GT(std::stoll(row.at("draw_ns_min")), 0);
-        EXPECT_EQ(row.at("f_2px"), "") << "it is not scored";
-    }
-    for (const char* table : {"axes.csv", "motion.csv", "cancellation.csv"}) {
-        EXPECT_FALSE(parse_csv(desk.read(std::string("out/") + table)).empty());
-        EXPECT_GT(page_table(desk, "out", table)["lines"], 0);
-    }
-    expect_done(desk, words);
-    EXPECT_TRUE(rows_of_study(desk, "scaling").empty());
-    for (const char* table : {"axes.csv", "motion.csv"}) {
-        EXPECT_EQ(desk.read(std::string("out/") + table), "") << "of an older run";
-        EXPECT_TRUE(page_table(desk, "out", table).is_null());
-    }
-}
-
 TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
     const Desk desk;
     expect_done(desk, "compare --scenes cube,torus --size 64x36 --repetitions 1 --out out");

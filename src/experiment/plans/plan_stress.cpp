@@ -38,23 +38,13 @@ std::vector<studies::Case> cases_of(const Stage& stage, double value) {
 }
 
 /// Why the whole run would be invalid, in words; "" if it is not.
-std::string fault_of(const studies::Axis& axis, const studies::AxisRow& of) {
-    const harness::Row& row = of.row;
+std::string fault_of(const studies::AxisRow& of) {
     if (of.faults.is_clean()) return "";
-    if (!axis.counts_faults) {
-        return of.faults.differing == 0 ? ""
-                                        : fmt::format("{} on {}, {} {}: {}",
-                                                      row.method,
-                                                      row.scene,
-                                                      row.axis,
-                                                      *row.value,
-                                                      row.status);
-    }
     return fmt::format(
         "{} on {} {}: {} numbers not finite, {} overflows, {} cells lost, {} images differ",
-        row.method,
-        row.axis,
-        *row.value,
+        of.row.method,
+        of.row.axis,
+        *of.row.value,
         of.faults.non_finite,
         of.faults.overflow,
         of.faults.lost,
@@ -70,7 +60,7 @@ BlockResult run_values(const Stage& stage,
     for (const double value : values) {
         for (const studies::Case& one : cases_of(stage, value)) {
             if (core::is_interrupted()) return {};
-            auto more = studies::axis_rows(axis, one, stage.configs, stage.options);
+            auto more = studies::axis_rows(one, stage.configs, stage.options);
             std::move(more.begin(), more.end(), std::back_inserter(rows));
         }
     }
@@ -78,12 +68,10 @@ BlockResult run_values(const Stage& stage,
     BlockResult result;
     std::int64_t cell = first_cell;
     for (const studies::AxisRow& of : rows) {
-        result.lines["rows.csv"] += harness::row_line(cell, axis.study, of.row);
-        if (axis.counts_faults) {
-            result.lines["stress.csv"] += studies::faults_table().line(cell, of);
-        }
+        result.lines["rows.csv"] += harness::row_line(cell, harness::Study::stress, of.row);
+        result.lines["stress.csv"] += studies::faults_table().line(cell, of);
         ++cell;
-        if (std::string fault = fault_of(axis, of); !fault.empty())
+        if (std::string fault = fault_of(of); !fault.empty())
             result.faults.push_back(std::move(fault));
     }
     return result;
@@ -100,18 +88,18 @@ std::vector<std::vector<double>> value_groups(const studies::Axis& axis, int poi
     return groups;
 }
 
-/// The cases of the first value stand for all: those of the last may be large.
-int cases_of_value(const Stage& stage) {
-    return static_cast<int>(stage.axis.cases(stage.axis.values.front(), stage.size).size());
+/// The rows of a value: those of the first stand for all, as those of the last may be large.
+int rows_of_value(const Stage& stage) {
+    const auto cases = stage.axis.cases(stage.axis.values.front(), stage.size).size();
+    return static_cast<int>((stage.configs.size() + harness::kBaselines) * cases);
 }
 
+/// Blocks of every value of an axis, alone on the machine.
 void plan_axis(const std::shared_ptr<Stage>& stage, int points, Plan& plan) {
     const studies::Axis& axis = stage->axis;
-    plan.add_table(harness::rows_table());
-    if (axis.counts_faults) plan.add_table(studies::faults_table());
     const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
-    const double cell_s = 0.01 + 0.05 * mpx + (axis.repetitions > 0 ? axis.budget_s / 2 : 0);
-    const int rows = studies::rows_of_case(axis, stage->configs.size()) * cases_of_value(*stage);
+    const double cell_s = 0.01 + 0.05 * mpx;
+    const int rows = rows_of_value(*stage);
     for (const std::vector<double>& values : value_groups(axis, points)) {
         const int cells = rows * static_cast<int>(values.size());
         const std::int64_t first_cell = plan.take_cells(cells);
@@ -127,37 +115,27 @@ void plan_axis(const std::shared_ptr<Stage>& stage, int points, Plan& plan) {
 
 }  // namespace
 
-void plan_axes(const std::vector<studies::Axis>& axes,
-               const Experiment& experiment,
-               const harness::TraceOptions& trace,
-               Plan& plan) {
-    for (const studies::Axis& axis : axes) {
-        const auto stage = std::make_shared<Stage>();
-        stage->axis = axis;
-        if (!experiment.times) stage->axis.repetitions = 0;
-        stage->configs =
-            axis.repetitions > 0 ? timed_configs_of(experiment) : configs_of(experiment);
-        stage->options = {{}, trace, experiment.seed};
-        stage->options.line_width_px = scored_width_px(experiment);
-        stage->options.trace.truth.threads = core::hardware_threads();
-        stage->options.trace.crosscheck = experiment.crosscheck;
-        stage->options.measure.threads = experiment.threads.front();
-        stage->options.measure.skips = harness::without_skips(harness::skips_of_repeated_drawings(),
-                                                              experiment.compare.skips_off);
-        stage->projection = experiment.stress.projection;
-        stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
-        plan.add_axis(axis);
-        plan_axis(stage, experiment.stress.points, plan);
-    }
-}
-
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     std::vector<studies::Axis> axes;
     for (const std::string& name : experiment.stress.axes)
         axes.push_back(studies::find_stress_axis(name));
-    if (axes.empty() && experiment.stress.own_axes.empty()) axes = studies::stress_axes();
-    axes.insert(axes.end(), experiment.stress.own_axes.begin(), experiment.stress.own_axes.end());
-    plan_axes(axes, experiment, trace, plan);
+    if (axes.empty()) axes = studies::stress_axes();
+    plan.add_table(harness::rows_table());
+    plan.add_table(studies::faults_table());
+    plan.files["axes.csv"] = studies::axes_table().file(axes);
+    for (const studies::Axis& axis : axes) {
+        const auto stage = std::make_shared<Stage>();
+        stage->axis = axis;
+        stage->configs = configs_of(experiment);
+        stage->options = {{}, trace, experiment.seed};
+        stage->options.line_width_px = scored_width_px(experiment);
+        stage->options.trace.truth.threads = core::hardware_threads();
+        stage->options.measure.threads = experiment.threads.front();
+        stage->options.measure.skips = harness::skips_of_repeated_drawings();
+        stage->projection = experiment.stress.projection;
+        stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
+        plan_axis(stage, experiment.stress.points, plan);
+    }
 }
 
 }  // namespace ink::experiment
