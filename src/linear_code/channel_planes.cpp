@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/parallel.h"
 #include "edge/laplacian.h"
 #include "harness/truths/truth_code.h"
 
@@ -44,16 +43,14 @@ ChannelSource::ChannelSource(const scene::Scene& scene, const method::LinearCode
       bounds_(scene::bounding_sphere(scene)) {}
 
 ChannelPlanes ChannelSource::planes(const scene::View& view,
-                                    const core::Image<std::uint32_t>& triangle,
-                                    int threads) const {
+                                    const core::Image<std::uint32_t>& triangle) const {
     assert(triangle.width_px() == view.width_px && triangle.height_px() == view.height_px);
     const harness::TruthCode code(surface_, bounds_, view, unit_code_);
     ChannelPlanes planes;
     for (core::Image<float>& channel : planes.channels)
         channel = {view.width_px, view.height_px};
     planes.is_sky = edge::Mask(view.width_px, view.height_px);
-    const auto fill_row = [&](std::size_t row) {
-        const int y = static_cast<int>(row);
+    for (int y = 0; y < view.height_px; ++y) {
         for (int x = 0; x < view.width_px; ++x) {
             const std::uint32_t seen = triangle.at(x, y);
             planes.is_sky.at(x, y) = seen == truth::kNoTriangle;
@@ -62,8 +59,7 @@ ChannelPlanes ChannelSource::planes(const scene::View& view,
             for (std::size_t k = 0; k < pixel.channels.size(); ++k)
                 planes.channels[k].at(x, y) = static_cast<float>(pixel.channels[k]);
         }
-    };
-    core::parallel_for(static_cast<std::size_t>(view.height_px), threads, fill_row);
+    }
     return planes;
 }
 
@@ -94,9 +90,7 @@ core::Image<std::uint16_t> codes_of(const ChannelPlanes& planes, const method::L
     return codes;
 }
 
-edge::EdgeImage responses_of(const ChannelPlanes& planes,
-                             const method::LinearCode& code,
-                             int threads) {
+edge::EdgeImage responses_of(const ChannelPlanes& planes, const method::LinearCode& code) {
     const core::Image<std::uint16_t> codes = codes_of(planes, code);
     edge::EdgeImage edge_responses(codes.width_px(), codes.height_px());
     const int width = codes.width_px() - 2;
@@ -106,7 +100,7 @@ edge::EdgeImage responses_of(const ChannelPlanes& planes,
         codes.row(1) + 1, width, height, codes.width_px()};
     const core::ImageView<std::uint8_t> out{
         edge_responses.row(1) + 1, width, height, edge_responses.width_px()};
-    edge::laplacian(inner, out, code.response, threads);
+    edge::laplacian(inner, out, code.response, 1);
     return edge_responses;
 }
 

@@ -41,10 +41,9 @@ class ChannelSource {
     ChannelSource(const scene::Scene& scene, const method::LinearCode& code);
 
     /// The planes of `view`, of whose pixels `triangle` (truth::Layers::triangle, the view's size)
-    /// says what they see. Rows are shared among `threads`; the result depends on neither.
+    /// says what they see.
     [[nodiscard]] ChannelPlanes planes(const scene::View& view,
-                                       const core::Image<std::uint32_t>& triangle,
-                                       int threads) const;
+                                       const core::Image<std::uint32_t>& triangle) const;
 
   private:
     method::LinearCode unit_code_;  ///< weights of 1: its channels are the planes
@@ -59,7 +58,6 @@ class ChannelSource {
 /// What its filter makes of that: edge responses, 0 in the image's outermost pixels, whose stencils
 /// the frame cuts.
 [[nodiscard]] edge::EdgeImage responses_of(const ChannelPlanes& planes,
-                                           const method::LinearCode& code,
-                                           int threads);
+                                           const method::LinearCode& code);
 
 }  // namespace ink::linear_code

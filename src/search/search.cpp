@@ -18,13 +18,7 @@ constexpr int kMostCallsPerEvaluation = 20;
 /// followed by the next.
 constexpr std::array kLocalSteps = {0.1, 0.03, 0.2, 0.01, 0.05, 0.15};
 
-nlopt_algorithm algorithm_of(const std::string& name) {
-    if (name == "direct") return NLOPT_GN_DIRECT_L;
-    if (name == "esch") return NLOPT_GN_ESCH;
-    if (name == "bobyqa") return NLOPT_LN_BOBYQA;
-    if (name == "cobyla") return NLOPT_LN_COBYLA;
-    return name == "crs" ? NLOPT_GN_CRS2_LM : NLOPT_LN_SBPLX;
-}
+constexpr double kGlobalShare = 0.6;  // of the evaluations
 
 /// One search: counts what it asks, and knows the best that it saw.
 class Searcher {
@@ -48,10 +42,10 @@ class Searcher {
     void look_at_start() { look("start", std::vector<double>(best_)); }
 
     /// Until `limit` evaluations are used, or the search ends by itself.
-    void run(const char* phase, const std::string& algorithm, double step, int limit) {
+    void run(const char* phase, nlopt_algorithm algorithm, double step, int limit) {
         const auto n = static_cast<unsigned>(best_.size());
-        const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> opt(
-            nlopt_create(algorithm_of(algorithm), n), nlopt_destroy);
+        const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> opt(nlopt_create(algorithm, n),
+                                                                         nlopt_destroy);
         Call call{*this, opt.get(), phase, limit};
         nlopt_set_lower_bounds1(opt.get(), 0);
         nlopt_set_upper_bounds1(opt.get(), 1);
@@ -106,12 +100,7 @@ class Searcher {
 }  // namespace
 
 const std::vector<std::string>& global_searches() {
-    static const std::vector<std::string> names = {"crs", "direct", "esch"};
-    return names;
-}
-
-const std::vector<std::string>& local_searches() {
-    static const std::vector<std::string> names = {"sbplx", "bobyqa", "cobyla"};
+    static const std::vector<std::string> names = {"crs", "direct"};
     return names;
 }
 
@@ -120,11 +109,11 @@ void search(const SearchObjective& objective,
             const SearchPlan& plan) {
     Searcher searcher(objective, start, plan);
     searcher.look_at_start();
-    const int n_global = static_cast<int>(plan.global_share * plan.evaluations);
-    searcher.run("global", plan.global, 0.25, n_global);
+    const nlopt_algorithm global = plan.global == "direct" ? NLOPT_GN_DIRECT_L : NLOPT_GN_CRS2_LM;
+    searcher.run("global", global, 0.25, static_cast<int>(kGlobalShare * plan.evaluations));
     for (const double step : kLocalSteps) {
         if (searcher.evaluations() >= plan.evaluations) break;
-        searcher.run("local", plan.local, step, plan.evaluations);
+        searcher.run("local", NLOPT_LN_SBPLX, step, plan.evaluations);
     }
 }
 

@@ -19,24 +19,21 @@ using SearchObjective = std::function<SearchValue(const char*, const std::vector
 struct SearchPlan {
     int evaluations = 300;
     std::uint64_t seed = 0;
-    std::string global = "crs";   ///< one of global_searches()
-    std::string local = "sbplx";  ///< one of local_searches()
-    double global_share = 0.6;    ///< of the evaluations
+    std::string global = "crs";  ///< one of global_searches()
 };
 
-/// The names of the searches by which a plan may look: crs (controlled random search with local
-/// mutation), direct (DIRECT-L, no chance in it), esch (an evolution strategy); sbplx (subplex),
-/// bobyqa (quadratic models), cobyla (linear ones). All are NLopt's.
+/// The names of the searches by which a plan may look globally: crs (controlled random search with
+/// local mutation), direct (DIRECT-L, no chance in it).
 [[nodiscard]] const std::vector<std::string>& global_searches();
-[[nodiscard]] const std::vector<std::string>& local_searches();
 
-/// Looks first at `start`, then globally, then locally from the best point so far, again with other
-/// steps where a local search ends early, until the plan's evaluations are used or nothing new
-/// turns up. The same plan and values give the same sequence of points. What `objective` throws
-/// ends the search and is thrown on.
+/// Looks first at `start`, then globally for 60 % of the evaluations, then locally from the best
+/// point so far, again with other steps where a local search ends early, until the plan's
+/// evaluations are used or nothing new turns up. The same plan and values give the same sequence of
+/// points. What `objective` throws ends the search and is thrown on.
 ///
 /// Source: NLopt (S. G. Johnson): GN_CRS2_LM after Kaelo and Ali, J. Optim. Theory Appl. 130, 2006;
-/// LN_SBPLX after Rowan's Subplex, 1990.
+/// GN_DIRECT_L after Gablonsky and Kelley, J. Global Optim. 21, 2001; LN_SBPLX after Rowan's
+/// Subplex, 1990.
 void search(const SearchObjective& objective,
             const std::vector<double>& start,
             const SearchPlan& plan);

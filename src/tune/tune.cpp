@@ -9,11 +9,9 @@
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
-#include "core/split_list.h"
 #include "core/whole_file.h"
 #include "harness/cells/cell.h"
 #include "methods/presets.h"
-#include "statistics/ods.h"
 #include "tune/tune_folder.h"
 #include "tune/tune_report.h"
 
@@ -92,12 +90,8 @@ class Tuner {
 
     [[nodiscard]] TuneValue measured(const method::MethodConfig& config, DrawnBy by) {
         TuneValue found;
-        if (options_.objective == TuneObjective::ap) {
-            found.error = 1 - score::average_precision(bench_.curve(config, by));
-        } else {
-            found.by_view = bench_.view_counts(config, by);
-            found.error = error_of(found.by_view, bench_.tune_views(), options_.objective);
-        }
+        found.by_view = bench_.view_counts(config, by);
+        found.error = error_of(found.by_view, bench_.tune_views(), options_.objective);
         found.value = found.error;
         if (!options_.budget_ms) return found;
         found.draw_ms = bench_.draw_ms();
@@ -135,19 +129,6 @@ std::string key_of(const TuneOptions& options, const TuneSpace& space, const std
 
 TuneSpace checked_space(const TuneOptions& options) {
     TuneSpace space(*options.config.info, options.parameters);
-    if (options.objective == TuneObjective::ap && space.has("threshold")) {
-        if (!options.parameters.empty()) {
-            throw core::Error("--params",
-                              "average precision is over all thresholds",
-                              "no threshold with --objective ap");
-        }
-        std::string others;
-        for (const std::string& parameter :
-             core::split_list(default_parameters(*options.config.info))) {
-            if (!parameter.starts_with("threshold")) others += parameter + ",";
-        }
-        space = TuneSpace(*options.config.info, others);
-    }
     for (const TunedParameter& parameter : space.parameters()) {
         if (options.config.settings.count(parameter.param.name) == 0) continue;
         throw core::Error("--set",
@@ -164,13 +145,6 @@ core::ParamValues parameters_of(const method::MethodConfig& config, const TuneSp
     for (const TunedParameter& parameter : space.parameters())
         parameters[parameter.param.name] = all.at(parameter.param.name);
     return parameters;
-}
-
-void set_best_threshold(const method::MethodConfig& config,
-                        TuneBench& bench,
-                        TunedSettings& found) {
-    found.settings["threshold"] =
-        std::to_string(statistics::best_threshold(bench.curve(with(config, found.settings))));
 }
 
 void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
@@ -246,11 +220,6 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
         result.left_out = leave_one_out(result.steps, bench.tune_views(), options.objective);
     std::vector<TunedSettings*> all = {&result.defaults, &result.tuned};
     if (result.random) all.push_back(&*result.random);
-    if (options.objective == TuneObjective::ap) {
-        for (TunedSettings* each : all) {
-            if (each != &result.defaults) set_best_threshold(options.config, bench, *each);
-        }
-    }
     for (TunedSettings* each : all)
         each->train = bench.counts(with(options.config, each->settings));
     const bool has_planes =

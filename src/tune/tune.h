@@ -40,7 +40,7 @@ struct TuneOptions {
 /// Settings with what they score.
 struct TunedSettings {
     std::string name;
-    core::ParamValues settings;  ///< of the parameters, and the threshold where AP chose it
+    core::ParamValues settings;  ///< of the parameters
     TuneValue found;
     std::vector<score::CurveCount> train;    ///< a sum per training scene, at 2 px
     std::vector<score::CurveCount> heldout;  ///< a sum per held-out scene; none if there are none
@@ -62,8 +62,8 @@ struct TuneResult {
     std::vector<TuneStep> random_steps;
     std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
     /// Of each training view, by settings that were chosen without it, or its kind
-    /// (leave_one_out); empty if views are left out though there are held-out scenes, if there is a
-    /// single one, and if average precision is lowered.
+    /// (leave_one_out); empty if views are left out though there are held-out scenes, and if there
+    /// is a single one.
     std::vector<score::CurveCount> left_out;
     std::size_t resumed = 0;  ///< evaluations that were found on disk
     bool is_interrupted = false;

@@ -100,7 +100,7 @@ const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code
         const linear_code::ChannelSource source(scenes_[s].scene, code);
         for (std::size_t i = 0; i < views_.size(); ++i) {
             if (views_[i].scene_index != s) continue;
-            set.views[i] = source.planes(views_[i].view, views_[i].triangle, 1);
+            set.views[i] = source.planes(views_[i].view, views_[i].triangle);
         }
     });
     kept_.push_back(std::move(set));
@@ -113,7 +113,7 @@ std::vector<edge::EdgeImage> TunePlanes::images(const method::MethodConfig& conf
     const PlaneSet& set = planes_of(*code, threads);
     std::vector<edge::EdgeImage> images(views_.size());
     core::parallel_for(views_.size(), threads, [&](std::size_t i) {
-        images[i] = linear_code::responses_of(set.views[i], *code, 1);
+        images[i] = linear_code::responses_of(set.views[i], *code);
     });
     return images;
 }
@@ -140,11 +140,7 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
             hasher.text(core::image_hash(truth.scoring.ignore));
             score::TruthLists lists = score::list_truth(truth.scoring, options);
             tune_views_.scene_of_view.push_back(s);
-            views_.push_back({s,
-                              view,
-                              std::move(truth.traced.layers.triangle),
-                              std::move(truth.scoring),
-                              std::move(lists)});
+            views_.push_back({s, view, std::move(truth.traced.layers.triangle), std::move(lists)});
             if (core::is_interrupted()) return;
         }
     }
@@ -209,16 +205,12 @@ std::vector<score::CurveCount> TuneBench::view_counts(const method::MethodConfig
     return by_view;
 }
 
-std::vector<score::CurveCount> TuneBench::by_scene(
-    const std::vector<score::CurveCount>& by_view) const {
+std::vector<score::CurveCount> TuneBench::counts(const method::MethodConfig& config, DrawnBy by) {
+    const std::vector<score::CurveCount> by_view = view_counts(config, by);
     std::vector<score::CurveCount> sums(scenes_.size());
     for (std::size_t i = 0; i < views_.size(); ++i)
         sums[views_[i].scene_index] += by_view[i];
     return sums;
-}
-
-std::vector<score::CurveCount> TuneBench::counts(const method::MethodConfig& config, DrawnBy by) {
-    return by_scene(view_counts(config, by));
 }
 
 PlaneAgreement TuneBench::agreement(const method::MethodConfig& config) {
@@ -235,20 +227,6 @@ PlaneAgreement TuneBench::agreement(const method::MethodConfig& config) {
         }
     }
     return agreement;
-}
-
-std::array<score::CurveCount, 99> TuneBench::curve(const method::MethodConfig& config, DrawnBy by) {
-    const std::vector<edge::EdgeImage>& images = images_of(config, by);
-    std::vector<std::array<score::CurveCount, 99>> by_view(views_.size());
-    core::parallel_for(views_.size(), threads_, [&](std::size_t i) {
-        by_view[i] = score::score_curve(images[i], views_[i].truth, harness::score_options(1));
-    });
-    std::array<score::CurveCount, 99> sum{};
-    for (const auto& curve : by_view) {
-        for (std::size_t t = 0; t < sum.size(); ++t)
-            sum[t] += curve[t];
-    }
-    return sum;
 }
 
 }  // namespace ink::tune

@@ -22,7 +22,6 @@ struct BenchView {
     std::size_t scene_index = 0;
     scene::View view;
     core::Image<std::uint32_t> triangle;  ///< that its pixels see (truth::Layers::triangle)
-    score::ScoringTruth truth;
     score::TruthLists lists;
 };
 
@@ -101,9 +100,6 @@ class TuneBench {
     /// Counts of each view at 2 px and the configuration's own threshold.
     [[nodiscard]] std::vector<score::CurveCount> view_counts(const method::MethodConfig& config,
                                                              DrawnBy by = DrawnBy::method);
-    /// Counts of views summed over those of each scene.
-    [[nodiscard]] std::vector<score::CurveCount> by_scene(
-        const std::vector<score::CurveCount>& by_view) const;
     /// Whose views they are.
     [[nodiscard]] const TuneViews& tune_views() const { return tune_views_; }
     /// What gains are over (TuneViews::at_start).
@@ -113,10 +109,6 @@ class TuneBench {
     /// view_counts, summed over the views of each scene.
     [[nodiscard]] std::vector<score::CurveCount> counts(const method::MethodConfig& config,
                                                         DrawnBy by = DrawnBy::method);
-
-    /// The same at the 99 thresholds, summed over all views: for average precision.
-    [[nodiscard]] std::array<score::CurveCount, 99> curve(const method::MethodConfig& config,
-                                                          DrawnBy by = DrawnBy::method);
 
     /// Planes held against the method that draws the same.
     [[nodiscard]] PlaneAgreement agreement(const method::MethodConfig& config);

@@ -33,7 +33,6 @@ std::string asked_text(const TuneOptions& options, const TuneSpace& space) {
                      {"evaluations", options.plan.evaluations},
                      {"seed", static_cast<std::int64_t>(options.plan.seed)},
                      {"global", options.plan.global},
-                     {"local", options.plan.local},
                      {"random", options.random}}}};
     return text.str();
 }

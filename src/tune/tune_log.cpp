@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cerrno>
-#include <charconv>
+#include <sstream>
 #include <utility>
 
 #include "core/error.h"
@@ -27,19 +27,13 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 /// k, n_pred and n_truth of one view after the other; nothing if a number is damaged.
 std::optional<std::vector<score::CurveCount>> parse_counts(std::string_view text) {
-    std::vector<std::int64_t> numbers;
-    for (const char* at = text.data(); at < text.data() + text.size();) {
-        std::int64_t number = 0;
-        const auto [end, status] = std::from_chars(at, text.data() + text.size(), number);
-        if (status != std::errc{}) return std::nullopt;
-        numbers.push_back(number);
-        at = end + 1;  // past the space
-    }
-    if (numbers.size() % 3 != 0) return std::nullopt;
+    std::istringstream words{std::string(text)};
     std::vector<score::CurveCount> counts;
-    for (std::size_t i = 0; i < numbers.size(); i += 3)
-        counts.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-    return counts;
+    for (score::CurveCount count; words >> count.k;) {
+        if (!(words >> count.n_pred >> count.n_truth)) return std::nullopt;
+        counts.push_back(count);
+    }
+    return words.eof() ? std::optional(counts) : std::nullopt;
 }
 
 /// settings,value,error,draw_ms,counts; nothing for a line that is damaged.

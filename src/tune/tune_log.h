@@ -12,13 +12,13 @@
 
 namespace ink::tune {
 
-/// What one evaluation found: counts pooled over the training views, or a value of its own.
+/// What one evaluation found.
 struct TuneValue {
-    double value = 0;  ///< what the search lowers: 1 - F or 1 - AP, and more beyond a time budget
-    double error = 0;  ///< 1 - F or 1 - AP
+    double value = 0;  ///< what the search lowers: the error, and more beyond a time budget
+    double error = 0;  ///< what the objective makes of the counts
     std::optional<double> draw_ms = {};  ///< where a time budget asked for it
     bool is_by_planes = false;  ///< else the method itself drew; no part of the log's lines
-    std::vector<score::CurveCount> by_view = {};  ///< of each training view, unless AP is lowered
+    std::vector<score::CurveCount> by_view = {};  ///< of each training view
 };
 
 /// The finished evaluations of a search, on disk as soon as they are known.

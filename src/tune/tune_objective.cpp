@@ -111,8 +111,7 @@ double error_over(const std::vector<score::CurveCount>& by_view,
 }  // namespace
 
 const std::vector<std::string>& objective_names() {
-    static const std::vector<std::string> kNames = {
-        "pooled", "scenes", "kinds", "worst", "even", "ap"};
+    static const std::vector<std::string> kNames = {"pooled", "scenes", "kinds", "worst", "even"};
     return kNames;
 }
 

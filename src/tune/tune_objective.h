@@ -30,10 +30,9 @@ enum class TuneObjective {
     /// A mean gain may be that of one noisy scan, paid for by all others. What gains a little
     /// nearly everywhere holds on scenes that were not searched.
     even,
-    ap,  ///< 1 - average precision at 2 px; the threshold is then the best over the same views
 };
 
-/// "pooled", "scenes", "kinds", "worst", "even", "ap": as the command line has them.
+/// "pooled", "scenes", "kinds", "worst", "even": as the command line has them.
 [[nodiscard]] const std::vector<std::string>& objective_names();
 [[nodiscard]] std::string_view name(TuneObjective objective);
 
@@ -49,7 +48,7 @@ struct TuneViews {
 /// F of all scenes pooled.
 [[nodiscard]] double f_of(const std::vector<score::CurveCount>& scenes);
 
-/// What `objective`, any but `ap`, makes of the counts of each view; 0 if there are none.
+/// What `objective` makes of the counts of each view; 0 if there are none.
 [[nodiscard]] double error_of(const std::vector<score::CurveCount>& by_view,
                               const TuneViews& views,
                               TuneObjective objective);

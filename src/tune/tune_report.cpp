@@ -29,8 +29,6 @@ std::string_view objective_words(TuneObjective objective) {
             return "the error of the worst kind of scenes at 2 px";
         case TuneObjective::even:
             return "the error less what is gained evenly at 2 px";
-        case TuneObjective::ap:
-            return "average precision";
     }
     return "";
 }

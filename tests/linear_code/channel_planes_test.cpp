@@ -50,7 +50,7 @@ Difference difference(const Seen& seen, const core::ParamValues& settings) {
     const scene::View& view = seen.scene_views.views.front();
     const auto code = method->code();
     const ChannelSource source(seen.scene_views.scene, *code);
-    const auto codes = codes_of(source.planes(view, seen.layers.triangle, 1), *code);
+    const auto codes = codes_of(source.planes(view, seen.layers.triangle), *code);
     const core::Image<glm::u8vec3> packed = method->layers({view, 1}).front().rgb;
     Difference difference;
     for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -84,8 +84,7 @@ TEST(ChannelPlanes, FilteredAreTheMethodsImage) {
     const auto method = prepared(seen, "mote16", {});
     const auto code = method->code();
     const ChannelSource source(seen.scene_views.scene, *code);
-    const auto edge_responses =
-        responses_of(source.planes(view, seen.layers.triangle, 1), *code, 1);
+    const auto edge_responses = responses_of(source.planes(view, seen.layers.triangle), *code);
     edge::EdgeImage drawn(view.width_px, view.height_px);
     method->draw({view, 1}, drawn);
     const int threshold = 128;
@@ -101,7 +100,7 @@ TEST(ChannelPlanes, LieWithinZeroAndOneAndAreZeroOnSky) {
     const Seen seen = see("torus");
     const scene::View& view = seen.scene_views.views.front();
     const ChannelSource source(seen.scene_views.scene, *prepared(seen, "mote4", {})->code());
-    const ChannelPlanes planes = source.planes(view, seen.layers.triangle, 1);
+    const ChannelPlanes planes = source.planes(view, seen.layers.triangle);
     int sky = 0;
     for (std::size_t i = 0; i < planes.is_sky.size(); ++i) {
         const bool is_sky = seen.layers.triangle.data()[i] == truth::kNoTriangle;
@@ -115,20 +114,10 @@ TEST(ChannelPlanes, LieWithinZeroAndOneAndAreZeroOnSky) {
     EXPECT_GT(sky, 1000);
 }
 
-TEST(ChannelPlanes, AreTheSameForEveryThreadCount) {
-    const Seen seen = see("teapot");
-    const scene::View& view = seen.scene_views.views.front();
-    const ChannelSource source(seen.scene_views.scene, *prepared(seen, "mote4", {})->code());
-    const ChannelPlanes one = source.planes(view, seen.layers.triangle, 1);
-    const ChannelPlanes four = source.planes(view, seen.layers.triangle, 4);
-    EXPECT_EQ(one.channels, four.channels);
-    EXPECT_EQ(one.is_sky, four.is_sky);
-}
-
 TEST(ChannelPlanes, OfAnEmptyImageAreEmpty) {
     const ChannelPlanes nothing;
     EXPECT_TRUE(codes_of(nothing, {}).is_empty());
-    EXPECT_TRUE(responses_of(nothing, {}, 1).is_empty());
+    EXPECT_TRUE(responses_of(nothing, {}).is_empty());
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(TuneProgram, BadInputIsExplained) {
                        "tune mote4",
                        {{"--objective speed", {"pooled | scenes | kinds | worst | even | ap"}},
                         {"--params range", "range_nx"},
-                        {"--global luck", {"crs | direct | esch"}},
+                        {"--global luck", {"crs | direct"}},
                         {"--evaluations 0", "1..1000000"},
                         {"--budget-ms 0", {"above 0"}},
                         {{"--name", "A b"}, {"small letters"}},

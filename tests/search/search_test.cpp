@@ -41,13 +41,10 @@ Trail searched(const SearchPlan& plan, std::size_t size = 3) {
     return trail;
 }
 
-TEST(Search, EveryPairOfSearchesComesNearTheLowestPoint) {
+TEST(Search, EverySearchComesNearTheLowestPoint) {
     for (const std::string& global : global_searches()) {
-        for (const std::string& local : local_searches()) {
-            const Trail trail =
-                searched({.evaluations = 600, .seed = 3, .global = global, .local = local});
-            EXPECT_LT(trail.best, 0.02) << global << " " << local;
-        }
+        const Trail trail = searched({.evaluations = 600, .seed = 3, .global = global});
+        EXPECT_LT(trail.best, 0.02) << global;
     }
 }
 

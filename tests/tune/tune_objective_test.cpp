@@ -104,7 +104,7 @@ TEST(LeaveOneOut, ASceneOfOneViewIsGoneWithIt) {
 TEST(LeaveOneOut, NeedsTwoViewsAndTheirCounts) {
     EXPECT_TRUE(leave_one_out({step({50})}, views_of({0}, 1), TuneObjective::pooled).empty());
     EXPECT_TRUE(leave_one_out({}, views_of({0, 0}, 1), TuneObjective::pooled).empty());
-    EXPECT_TRUE(leave_one_out({step({})}, views_of({0, 0}, 1), TuneObjective::ap).empty());
+    EXPECT_TRUE(leave_one_out({step({})}, views_of({0, 0}, 1), TuneObjective::pooled).empty());
 }
 
 }  // namespace

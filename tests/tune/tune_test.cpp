@@ -158,25 +158,6 @@ TEST_F(Tune, AFinishedSearchLeavesNoLogAndGivesTheSameBytesAgain) {
     EXPECT_EQ(read("mote4_found.toml"), toml);
 }
 
-TEST_F(Tune, AveragePrecisionIsTunedWithoutAThresholdAndGetsTheBestOne) {
-    TuneOptions with = options("mote4", "range_depth,range_nz");
-    with.objective = TuneObjective::ap;
-    with.random = false;
-    with.plan.evaluations = 8;
-    const TuneResult result = tune(scenes({"cube"}), with);
-    EXPECT_EQ(result.random_steps.size(), 0U);
-    ASSERT_EQ(result.tuned.settings.count("threshold"), 1U);
-    method::MethodConfig config = with.config;
-    config.settings = result.tuned.settings;
-    const double at_best = plain_error(config, scenes({"cube"}));
-    for (const char* threshold : {"4", "8", "16", "32"}) {
-        config.settings["threshold"] = threshold;
-        EXPECT_LE(at_best, plain_error(config, scenes({"cube"})) + 1e-12) << threshold;
-    }
-    with.parameters = "threshold";
-    EXPECT_THROW((void)tune(scenes({"cube"}), with), core::Error);
-}
-
 TEST_F(Tune, ATimeBudgetThatNothingMeetsIsSaid) {
     TuneOptions with = options("mote4", "threshold");
     with.budget_ms = 1e-9;

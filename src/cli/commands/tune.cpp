@@ -192,7 +192,7 @@ void add_tune_command(CLI::App& app) {
                 "scenes: (mean root of each scene's error) squared, so that every scene "
                 "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
                 "error of the worst kind; even: the mean error of kinds before the search, less "
-                "what is gained, of no scene more than 0.03; ap: 1 - average precision");
+                "what is gained, of no scene more than 0.03");
     rows.number("--budget-ms", args->budget_ms, kAnyNumber, "MS",
                 "Leave out settings whose median drawing takes longer on one thread; measured, "
                 "so results depend on the machine");
