@@ -19,11 +19,6 @@ double cross_xy(const glm::dvec3& a, const glm::dvec3& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// The angle between two vectors, 0..pi.
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 }  // namespace
 
 ClipMesh::ClipMesh(const scene::Topology& topology,
@@ -166,7 +161,8 @@ double ClipMesh::deviation_between(std::uint32_t face0, std::uint32_t face1) con
         const glm::dvec3 n = topology_.area_vector(face);
         return glm::dot(n, projection_.viewpoint().sight(a)) > 0 ? -n : n;
     };
-    return angle_between(to_eye(face0), to_eye(face1));
+    const glm::dvec3 one = to_eye(face0), other = to_eye(face1);
+    return std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));
 }
 
 bool ClipMesh::is_level(std::uint32_t face0, std::uint32_t face1) const {
@@ -189,13 +185,6 @@ double ClipMesh::tolerance(std::uint32_t face, double w) const {
     const double unseen =
         scene::kUnseen_px / projection_.px_per_world(std::max(w, view_.camera.near));
     return std::min(tolerances_[topology_.faces[face].object], unseen);
-}
-
-double ClipMesh::rounding(std::uint32_t face) const {
-    double most = 0;
-    for (const std::uint32_t v : topology_.faces[face].vertices)
-        most = std::max(most, topology_.rounding_world[v]);
-    return most;
 }
 
 bool ClipMesh::is_near(std::uint32_t face,

@@ -100,7 +100,7 @@ class ClipMesh {
     /// it, and no more than 1/64 px on the image; world units.
     [[nodiscard]] double tolerance(std::uint32_t face, double w) const;
     /// How far rounding to float may have moved any vertex of a face, world units.
-    [[nodiscard]] double rounding(std::uint32_t face) const;
+    [[nodiscard]] double rounding(std::uint32_t face) const { return topology_.rounding_of(face); }
 
   private:
     /// Edges of two faces are judged once; those of more (nothing) where they are met.

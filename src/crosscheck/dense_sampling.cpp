@@ -15,6 +15,7 @@
 namespace ink::crosscheck {
 namespace {
 
+constexpr int kSubsamples = 8;      ///< K: a refined pixel is looked at K x K times
 constexpr double kSame_px = 0.125;  ///< a point this near a known one is of the same line
 
 /// The K x K samples of one cell, with a row and a column of its neighbours': what dense sampling
@@ -22,17 +23,16 @@ constexpr double kSame_px = 0.125;  ///< a point this near a known one is of the
 class FineGrid {
   public:
     /// Borrows the rays and the known lines, which may be null.
-    FineGrid(const SightRays& rays, const KnownLines* known, int k)
-        : rays_(rays), known_(known), k_(k), samples_((k + 1) * (k + 1)) {}
+    FineGrid(const SightRays& rays, const KnownLines* known) : rays_(rays), known_(known) {}
 
     /// Looks at the cell with its upper left corner at `corner_px`.
     void look(const glm::ivec2& cell, const glm::dvec2& corner_px) {
         cell_ = cell;
         ++counts.refined_px;
-        for (int y = 0; y <= k_; ++y) {
-            for (int x = 0; x <= k_; ++x) {
+        for (int y = 0; y <= kSubsamples; ++y) {
+            for (int x = 0; x <= kSubsamples; ++x) {
                 Sample& sample = at(x, y);
-                sample.p_px = corner_px + glm::dvec2(x, y) / static_cast<double>(k_);
+                sample.p_px = corner_px + glm::dvec2(x, y) / double{kSubsamples};
             }
         }
         look_at_all(rays_, samples_);
@@ -44,8 +44,8 @@ class FineGrid {
     /// Points outside the image, and those of lines known there, are left out.
     void add_points(std::vector<CellPoint>& points) {
         std::vector<Way> ways;
-        for (int y = 0; y < k_; ++y) {
-            for (int x = 0; x < k_; ++x) {
+        for (int y = 0; y < kSubsamples; ++y) {
+            for (int x = 0; x < kSubsamples; ++x) {
                 ways.push_back({at(x, y), at(x + 1, y)});
                 ways.push_back({at(x, y), at(x, y + 1)});
             }
@@ -57,7 +57,7 @@ class FineGrid {
         }
         std::vector<CellPoint> all;
         Crossings found{all, counts};
-        add_crossings(rays_, open, 1.0 / k_, found);
+        add_crossings(rays_, open, 1.0 / kSubsamples, found);
         for (const CellPoint& p : all) {
             const bool is_known =
                 known_ != nullptr &&
@@ -70,7 +70,7 @@ class FineGrid {
     /// begin + step, ...
     [[nodiscard]] bool is_crossed(glm::ivec2 begin, glm::ivec2 step) {
         std::vector<Way> ways;
-        for (int i = 0; i < k_; ++i) {
+        for (int i = 0; i < kSubsamples; ++i) {
             const glm::ivec2 a = begin + step * i, b = a + step;
             ways.push_back({at(a.x, a.y), at(b.x, b.y)});
         }
@@ -81,7 +81,7 @@ class FineGrid {
     SamplingCounts counts;  ///< of all cells so far
 
   private:
-    [[nodiscard]] Sample& at(int x, int y) { return samples_[y * (k_ + 1) + x]; }
+    [[nodiscard]] Sample& at(int x, int y) { return samples_[y * (kSubsamples + 1) + x]; }
     /// For each way 1 if nothing but known lines lies between its ends.
     [[nodiscard]] std::vector<char> judge(std::span<const Way> ways) {
         if (known_ != nullptr)
@@ -95,9 +95,8 @@ class FineGrid {
 
     const SightRays& rays_;
     const KnownLines* known_;
-    int k_;
     glm::ivec2 cell_{0};
-    std::vector<Sample> samples_;
+    std::vector<Sample> samples_ = std::vector<Sample>((kSubsamples + 1) * (kSubsamples + 1));
 };
 
 constexpr std::size_t kChunk = 256;   ///< ways judged by one thread in one go
@@ -247,8 +246,7 @@ class Looking {
     }
 
     void refine_cells(std::span<const glm::ivec2> marked, const KnownLines* known, Part& part) {
-        FineGrid grid(rays_, known, options_.subsamples);
-        const int k = options_.subsamples;
+        FineGrid grid(rays_, known);
         for (const glm::ivec2& cell : marked) {
             grid.look(cell, cells_.corner_px(cell));
             grid.add_points(part.points);
@@ -258,9 +256,9 @@ class Looking {
             };
             const auto [x, y] = std::pair(cell.x, cell.y);
             enter({x - 1, y}, {0, 0}, {0, 1});
-            enter({x + 1, y}, {k, 0}, {0, 1});
+            enter({x + 1, y}, {kSubsamples, 0}, {0, 1});
             enter({x, y - 1}, {0, 0}, {1, 0});
-            enter({x, y + 1}, {0, k}, {1, 0});
+            enter({x, y + 1}, {0, kSubsamples}, {1, 0});
         }
         part.counts = grid.counts;
     }

@@ -14,7 +14,6 @@ namespace ink::crosscheck {
 struct SamplingOptions {
     double crease_rad = 0.6981317007977318;  ///< 40 degrees
     scene::CreaseSource creases = scene::CreaseSource::angle;
-    int subsamples = 8;       ///< K: a refined pixel is looked at K x K times
     bool everywhere = false;  ///< refine every pixel: slow, for measuring what adapting leaves out
     int threads = 1;
 };

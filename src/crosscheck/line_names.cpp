@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "crosscheck/met_edges.h"
+#include "scene/box.h"
 
 namespace ink::crosscheck {
 namespace {
@@ -182,10 +183,9 @@ bool ends_on(const ClipMesh& mesh,
     const double tolerance = mesh.tolerance(face, w);
     for (std::size_t i = 0; i < 3; ++i) {
         if (mesh.topology().edges[f.edges[i]].face_count != 1) continue;
-        const glm::dvec3 a = p[f.vertices[i]], along = p[f.vertices[(i + 1) % 3]] - a;
-        const double t =
-            std::clamp(glm::dot(p_world - a, along) / glm::dot(along, along), 0.0, 1.0);
-        const glm::dvec3 border = a + t * along;
+        const glm::dvec3 &a = p[f.vertices[i]], &b = p[f.vertices[(i + 1) % 3]];
+        const glm::dvec3 along = b - a;
+        const glm::dvec3 border = a + scene::nearest_share(p_world, a, b) * along;
         if (glm::length(p_world - border) > 2 * tolerance) continue;
         const glm::dvec3 d = p[f.vertices[(i + 2) % 3]] - a;
         const glm::dvec3 inward =

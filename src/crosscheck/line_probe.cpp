@@ -231,9 +231,8 @@ class Places {
     /// How far digits may have moved a face, less than 0 if the image may show it.
     [[nodiscard]] double written(std::uint32_t face, double px_world) const {
         const scene::Topology& topology = mesh_.topology();
-        double most = topology.written_rounding_world[topology.faces[face].object];
-        for (const std::uint32_t v : topology.faces[face].vertices)
-            most = std::max(most, topology.rounding_world[v]);
+        const double most = std::max(topology.written_rounding_world[topology.faces[face].object],
+                                     topology.rounding_of(face));
         return most < scene::kUnseen_px * px_world ? most : -1;
     }
 
@@ -263,14 +262,8 @@ std::vector<char> judge_all(const scene::Topology& topology,
 bool is_of_class(const ClipMesh& mesh, const ClaimedEdge& claim) {
     const scene::Edge& edge = mesh.topology().edges[claim.edge];
     return std::ranges::any_of(mesh.topology().faces_of(edge), [&](std::uint32_t face) {
-        const auto& v = mesh.topology().faces[face].vertices;
-        for (std::size_t side = 0; side < 3; ++side) {
-            const auto [low, high] = std::minmax(v[side], v[(side + 1) % 3]);
-            const bool is_edge =
-                low == std::min(edge.a, edge.b) && high == std::max(edge.a, edge.b);
-            if (is_edge && mesh.across(face, side).line_class == claim.line_class) return true;
-        }
-        return false;
+        const std::size_t side = scene::side_at(mesh.topology().faces[face], claim.edge);
+        return mesh.across(face, side).line_class == claim.line_class;
     });
 }
 

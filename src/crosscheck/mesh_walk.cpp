@@ -55,10 +55,6 @@ std::size_t exit_of(const LocalFace& local, std::size_t entry, const glm::dvec2&
     return exit;
 }
 
-std::size_t side_with(const scene::Face& face, std::uint32_t edge) {
-    return std::find(face.edges.begin(), face.edges.end(), edge) - face.edges.begin();
-}
-
 /// The faces within reach of a point that can be come by from one of them, each once; those across
 /// a crease or a seam too if `over_features`.
 class Surroundings {
@@ -168,8 +164,8 @@ Walk walking::walk(const ClipMesh& mesh, const Sample& from, const glm::dvec2& t
         }
         if (is_end || (stop == Stop::at_feature && next.line_class != truth::LineClass::none))
             return result;
-        entry = side_with(mesh.topology().faces[next.face],
-                          mesh.topology().faces[result.face].edges[exit]);
+        entry = scene::side_at(mesh.topology().faces[next.face],
+                               mesh.topology().faces[result.face].edges[exit]);
         result.face = next.face;
     }
     return result;

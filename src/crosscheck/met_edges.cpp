@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/box.h"
 #include "scene/predicates.h"
 
 namespace ink::crosscheck::walking {
@@ -74,9 +75,7 @@ bool is_on_side(const ClipMesh& mesh, std::uint32_t face, const scene::RoundedPo
     const auto& p = mesh.topology().p_world;
     const double reach = mesh.rounding(face) + point.rounding;
     for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec3 a = p[v[i]], along = p[v[(i + 1) % 3]] - a;
-        const double t = glm::dot(point.p - a, along) / glm::dot(along, along);
-        if (glm::length(point.p - (a + std::clamp(t, 0.0, 1.0) * along)) <= reach) return true;
+        if (scene::distance_to_segment(point.p, p[v[i]], p[v[(i + 1) % 3]]) <= reach) return true;
     }
     return false;
 }

@@ -22,10 +22,9 @@ struct Place {
     double share = 0;
 };
 
-template <class Key>
-Place place_in(const std::vector<Key>& keys, double time_s) {
-    const auto after = std::upper_bound(
-        keys.begin(), keys.end(), time_s, [](double t, const Key& key) { return t < key.time_s; });
+template <class Value>
+Place place_in(const std::vector<Key<Value>>& keys, double time_s) {
+    const auto after = std::ranges::upper_bound(keys, time_s, {}, &Key<Value>::time_s);
     if (after == keys.begin()) return {};
     const auto first = static_cast<std::size_t>(after - keys.begin()) - 1;
     if (after == keys.end()) return {first, 0};
@@ -33,16 +32,13 @@ Place place_in(const std::vector<Key>& keys, double time_s) {
     return {first, (time_s - start_s) / (after->time_s - start_s)};
 }
 
-glm::dvec3 straight(const glm::dvec3& from, const glm::dvec3& to, double share) {
+template <class Value>
+Value straight(const Value& from, const Value& to, double share) {
     return from * (1 - share) + to * share;
 }
 
 glm::dquat straight(const glm::dquat& from, const glm::dquat& to, double share) {
     return slerp(from, to, share);
-}
-
-double straight(double from, double to, double share) {
-    return from * (1 - share) + to * share;
 }
 
 template <class Value>
@@ -56,10 +52,10 @@ glm::dquat finished(const glm::dquat& value, const glm::dquat& fallback) {
 }
 
 /// Hermite's curve from one key to the next (glTF 2.0, appendix C.5), in its notation.
-template <class Key, class Value>
-Value curve(const Key& from,
+template <class Value>
+Value curve(const Key<Value>& from,
             const typename Course<Value>::Tangents& from_tangents,
-            const Key& to,
+            const Key<Value>& to,
             const typename Course<Value>::Tangents& to_tangents,
             double t) {
     const double td = to.time_s - from.time_s;
@@ -68,18 +64,17 @@ Value curve(const Key& from,
            to.value * (3 * tt - 2 * ttt) + to_tangents.in * (td * (ttt - tt));
 }
 
-template <class Key, class Value>
-Value value_at(const std::vector<Key>& keys, const Course<Value>& course, double time_s) {
+template <class Value>
+Value value_at(const std::vector<Key<Value>>& keys, const Course<Value>& course, double time_s) {
     const auto [first, share] = place_in(keys, time_s);
-    const Key& from = keys[first];
+    const Key<Value>& from = keys[first];
     const bool is_cubic = course.interpolation == Interpolation::cubic;
     if (share == 0 || course.interpolation == Interpolation::step)
         return is_cubic ? finished(from.value, from.value) : from.value;
-    const Key& to = keys[first + 1];
+    const Key<Value>& to = keys[first + 1];
     if (!is_cubic) return straight(from.value, to.value, share);
-    return finished(
-        curve<Key, Value>(from, course.tangents[first], to, course.tangents[first + 1], share),
-        from.value);
+    return finished(curve(from, course.tangents[first], to, course.tangents[first + 1], share),
+                    from.value);
 }
 
 }  // namespace

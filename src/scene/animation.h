@@ -16,19 +16,14 @@ namespace ink::scene {
 inline constexpr std::uint32_t kNoNode = ~0U;
 
 /// A value that is reached at a time. Times of a list never fall.
-struct VectorKey {
+template <class Value>
+struct Key {
     double time_s = 0;
-    glm::dvec3 value{0};
+    Value value{};
 };
-struct RotationKey {
-    double time_s = 0;
-    glm::dquat value{1, 0, 0, 0};  ///< of length 1; of cubic ones about that
-};
-
-struct WeightKey {
-    double time_s = 0;
-    double value = 0;
-};
+using VectorKey = Key<glm::dvec3>;
+using RotationKey = Key<glm::dquat>;  ///< of length 1; of cubic ones about that
+using WeightKey = Key<double>;
 
 /// What lies between two keys.
 enum class Interpolation : std::uint32_t {
@@ -144,18 +139,12 @@ struct Animation {
     [[nodiscard]] bool is_moving(std::uint32_t node) const;
 };
 
-/// What is shown between two stored frames; keys go their own course.
-enum class Between {
-    blended,  ///< the straight way from one to the next
-    whole,    ///< the earlier one, nodes included: as Quake drew them
-};
-
 /// Sets the instances' transforms, the meshes' vertices, the moving cameras and lights to those at
 /// `time_s`, held to 0 .. duration_s. At a key or a stored frame they equal it bit for bit; a part
 /// with fewer frames than others keeps its last. Same bits on every machine. A scene without
 /// animation stays as it is. Cameras keep angle, near and far: fitting these to what has moved is
 /// the caller's part (fit_clip_range).
-void pose_scene(Scene& scene, double time_s, Between between = Between::blended);
+void pose_scene(Scene& scene, double time_s);
 
 /// Each node's place in the world at a time; without one, at rest.
 [[nodiscard]] std::vector<glm::dmat4> world_from_nodes(const Animation& animation,

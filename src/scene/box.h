@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -43,6 +44,20 @@ struct Box {
 [[nodiscard]] inline glm::dvec3 unit_or_zero(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : glm::dvec3(0);
+}
+
+/// How far along the way from `a` to `b` its nearest point to `p` lies, 0..1.
+[[nodiscard]] inline double nearest_share(const glm::dvec3& p,
+                                          const glm::dvec3& a,
+                                          const glm::dvec3& b) {
+    const glm::dvec3 along = b - a;
+    return std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+}
+
+[[nodiscard]] inline double distance_to_segment(const glm::dvec3& p,
+                                                const glm::dvec3& a,
+                                                const glm::dvec3& b) {
+    return glm::length(p - (a + nearest_share(p, a, b) * (b - a)));
 }
 
 [[nodiscard]] inline bool is_finite(const glm::dvec3& v) {

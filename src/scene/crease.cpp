@@ -15,11 +15,8 @@ namespace ink::scene {
 namespace {
 
 bool is_marked(const Face& face, const Edge& edge) {
-    const std::uint32_t opposite = opposite_vertex(face, edge);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[(i + 2) % 3] == opposite) return (face.marked_sides >> i & 1U) != 0;
-    }
-    return false;
+    const std::uint32_t side = side_opposite(face, opposite_vertex(face, edge));
+    return (face.marked_sides >> side & 1U) != 0;
 }
 
 /// Whether the two faces are all that one object has at the edge.

@@ -25,27 +25,25 @@ void check_mesh(const Mesh& mesh, const std::string& where) {
     };
     check_finite(mesh.positions, "vertex");
     check_finite(mesh.normals, "normal");
-    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
-        throw core::Error(
-            where,
-            fmt::format("{} normals for {} vertices", mesh.normals.size(), mesh.positions.size()),
-            "none, or one per vertex");
-    }
-    if (!mesh.materials.empty() && mesh.materials.size() != mesh.triangles.size()) {
-        throw core::Error(
-            where,
-            fmt::format(
-                "{} materials for {} triangles", mesh.materials.size(), mesh.triangles.size()),
-            "none, or one per triangle");
-    }
-    if (!mesh.marked_sides.empty() && mesh.marked_sides.size() != mesh.triangles.size()) {
-        throw core::Error(where,
-                          fmt::format("marked sides of {} triangles for {}",
-                                      mesh.marked_sides.size(),
-                                      mesh.triangles.size()),
-                          "none, or of each triangle");
-    }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto check_count = [&](std::size_t count,
+                                 std::size_t expected,
+                                 fmt::format_string<std::size_t&, std::size_t&> what,
+                                 const char* accepted) {
+        if (count == 0 || count == expected) return;
+        throw core::Error(where, fmt::format(what, count, expected), accepted);
+    };
+    const std::size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
+    check_count(
+        mesh.normals.size(), vertices, "{} normals for {} vertices", "none, or one per vertex");
+    check_count(mesh.materials.size(),
+                triangles,
+                "{} materials for {} triangles",
+                "none, or one per triangle");
+    check_count(mesh.marked_sides.size(),
+                triangles,
+                "marked sides of {} triangles for {}",
+                "none, or of each triangle");
+    for (std::size_t t = 0; t < triangles; ++t) {
         for (const std::uint32_t v : mesh.triangles[t]) {
             if (v >= mesh.positions.size()) {
                 throw core::Error(where,
@@ -116,6 +114,14 @@ std::string_view split_name(Split split) {
 
 bool is_mirrored(const Instance& instance) {
     return glm::determinant(glm::dmat3(instance.world_from_object)) < 0;
+}
+
+std::vector<bool> used_vertices(const Mesh& mesh) {
+    std::vector<bool> is_used(mesh.positions.size(), false);
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t v : triangle)
+            is_used[v] = true;
+    return is_used;
 }
 
 std::size_t triangle_count(const Scene& scene) {

@@ -52,6 +52,9 @@ enum class Split {
 /// What rows call a part: "train", "heldout" or "real".
 [[nodiscard]] std::string_view split_name(Split split);
 
+/// Per vertex whether a triangle uses it.
+[[nodiscard]] std::vector<bool> used_vertices(const Mesh& mesh);
+
 /// What a model file has beside the scene; a scene made by code has nothing of it.
 struct FileFacts {
     std::vector<std::string> animation_names;  ///< of all, "" where one has none

@@ -78,11 +78,7 @@ class Moves {
   private:
     /// The places that the triangles of an instance use, each once.
     std::vector<std::uint32_t> places_of(const Instance& instance, const Mesh& mesh) {
-        std::vector<bool> is_used(mesh.positions.size(), false);
-        for (const Triangle& t : mesh.triangles) {
-            for (const std::uint32_t v : {t[0], t[1], t[2]})
-                is_used[v] = true;
-        }
+        const std::vector<bool> is_used = used_vertices(mesh);
         std::vector<std::uint32_t> part;
         for (std::size_t v = 0; v < is_used.size(); ++v) {
             if (is_used[v])
@@ -258,10 +254,7 @@ Topology weld(const Scene& scene, const WeldOptions& options) {
 }
 
 bool runs_forward(const Face& face, const Edge& edge) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
-    }
-    return false;
+    return face.vertices[(corner_at(face, edge.a) + 1) % 3] == edge.b;
 }
 
 bool is_consistent(const Topology& topology, const Edge& edge) {

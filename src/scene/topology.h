@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -73,6 +74,11 @@ struct Topology {
     [[nodiscard]] std::span<const std::uint32_t> faces_of(const Edge& edge) const {
         return {edge_faces.data() + edge.first_face, edge.face_count};
     }
+    /// How far rounding may have moved any corner of a face, world units.
+    [[nodiscard]] double rounding_of(std::uint32_t face) const {
+        const auto& [a, b, c] = faces[face].vertices;
+        return std::max({rounding_world[a], rounding_world[b], rounding_world[c]});
+    }
     /// Orthogonal to a face, towards where it runs counter-clockwise; of twice its area's length.
     [[nodiscard]] glm::dvec3 area_vector(std::uint32_t face) const {
         const auto& [a, b, c] = faces[face].vertices;
@@ -116,6 +122,10 @@ struct WeldOptions {
 
 /// The corner of a face that one of its edges leaves out.
 [[nodiscard]] std::uint32_t opposite_vertex(const Face& face, const Edge& edge);
+/// Which of a face's edges leaves out one of its vertices.
+[[nodiscard]] inline std::uint32_t side_opposite(const Face& face, std::uint32_t vertex) {
+    return (corner_at(face, vertex) + 1) % 3;
+}
 
 /// The angle by which the two faces at an edge deviate from flat, 0..pi, whichever way each is
 /// oriented: pi minus the angle between the directions from the edge into the two faces.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "scene/box.h"
 #include "truth/crossings/touching.h"
 #include "truth/visibility.h"
 
@@ -24,15 +25,6 @@ glm::dvec3 middle_of(const EyeView& eye, const Curve& curve, double& w) {
     const double x_px = (curve.begin.x_px + curve.end.x_px) / 2;
     const double y_px = (curve.begin.y_px + curve.end.y_px) / 2;
     return eye.projection.at(x_px, y_px, w);
-}
-
-/// The parameter on an edge of a point that lies on it but for rounding.
-double edge_parameter(const scene::Topology& topology,
-                      const scene::Edge& edge,
-                      const glm::dvec3& p_world) {
-    const glm::dvec3& a = topology.p_world[edge.a];
-    const glm::dvec3 along = topology.p_world[edge.b] - a;
-    return std::clamp(glm::dot(p_world - a, along) / glm::dot(along, along), 0.0, 1.0);
 }
 
 /// The face that goes on across a boundary edge at `t` as another object; kNoFace if none does.
@@ -104,9 +96,9 @@ std::size_t fill_one(const EyeView& eye, const Visibility& visibility, Curve& cu
     if (curve.edge != kNoEdge) {
         const scene::Topology& topology = eye.model.topology;
         const scene::Edge& edge = topology.edges[curve.edge];
-        const double t = edge_parameter(topology, edge, p_world);
-        p_world =
-            topology.p_world[edge.a] + t * (topology.p_world[edge.b] - topology.p_world[edge.a]);
+        const glm::dvec3 &a = topology.p_world[edge.a], &b = topology.p_world[edge.b];
+        const double t = scene::nearest_share(p_world, a, b);
+        p_world = a + t * (b - a);
         fill_faces(eye, t, curve);
     }
     const glm::dvec3 to_point = eye.eye().sight(p_world);

@@ -69,51 +69,28 @@ void keep(Labels& labels, const edge::Mask& mask) {
     }
 }
 
-/// 8x8 blocks of an image, the last ones of a row or column cut off by its border.
-class Blocks {
-  public:
-    Blocks(int width_px, int height_px)
-        : width_px_(width_px),
-          height_px_(height_px),
-          drawn_((width_px + kBlock_px - 1) / kBlock_px, (height_px + kBlock_px - 1) / kBlock_px) {}
-
-    /// Counts the set pixels of each block.
-    void count_in(const edge::Mask& mask) {
-        for (int y = 0; y < height_px_; ++y) {
-            for (int x = 0; x < width_px_; ++x)
-                drawn_.at(x / kBlock_px, y / kBlock_px) += mask.at(x, y);
-        }
+/// Marks crowded blocks in `labels`, full ones and those beside them, as `ignore`; returns how many
+/// drawn pixels they hold.
+std::size_t ignore_crowded(const edge::Mask& before_thinning, Labels& labels) {
+    const int columns = (labels.width_px() + kBlock_px - 1) / kBlock_px;
+    const int rows = (labels.height_px() + kBlock_px - 1) / kBlock_px;
+    core::Image<int> drawn(columns, rows);
+    for (int y = 0; y < labels.height_px(); ++y) {
+        for (int x = 0; x < labels.width_px(); ++x)
+            drawn.at(x / kBlock_px, y / kBlock_px) += before_thinning.at(x, y);
     }
-    [[nodiscard]] int columns() const { return drawn_.width_px(); }
-    [[nodiscard]] int rows() const { return drawn_.height_px(); }
-    [[nodiscard]] bool is_full(int column, int row) const {
-        const int width = std::min(kBlock_px, width_px_ - column * kBlock_px);
-        const int height = std::min(kBlock_px, height_px_ - row * kBlock_px);
-        return kFullOutOf4 * width * height < 4 * drawn_.at(column, row);
-    }
-    /// Full itself, or beside a full one.
-    [[nodiscard]] bool is_crowded(int column, int row) const {
-        for (int r = std::max(0, row - 1); r <= std::min(rows() - 1, row + 1); ++r) {
-            for (int c = std::max(0, column - 1); c <= std::min(columns() - 1, column + 1); ++c) {
-                if (is_full(c, r)) return true;
+    core::Image<std::uint8_t> is_crowded(columns, rows);
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            // The last ones are cut off by the image's border.
+            const int width = std::min(kBlock_px, labels.width_px() - column * kBlock_px);
+            const int height = std::min(kBlock_px, labels.height_px() - row * kBlock_px);
+            if (kFullOutOf4 * width * height >= 4 * drawn.at(column, row)) continue;
+            for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r) {
+                for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
+                    is_crowded.at(c, r) = 1;
             }
         }
-        return false;
-    }
-
-  private:
-    int width_px_, height_px_;
-    core::Image<int> drawn_;
-};
-
-/// Marks crowded blocks in `labels` as `ignore`; returns how many drawn pixels they hold.
-std::size_t ignore_crowded(const edge::Mask& before_thinning, Labels& labels) {
-    Blocks blocks(labels.width_px(), labels.height_px());
-    blocks.count_in(before_thinning);
-    core::Image<std::uint8_t> is_crowded(blocks.columns(), blocks.rows());
-    for (int row = 0; row < blocks.rows(); ++row) {
-        for (int column = 0; column < blocks.columns(); ++column)
-            is_crowded.at(column, row) = blocks.is_crowded(column, row) ? 1 : 0;
     }
     std::size_t crowded = 0;
     for (int y = 0; y < labels.height_px(); ++y) {

@@ -29,10 +29,7 @@ bool clip_to_positive(double at_0, double at_1, double& t0, double& t1) {
 double doubt_of(const scene::Topology& topology, const Crossing& crossing) {
     double rounding = 0;
     const auto normal_of = [&](std::uint32_t f) {
-        const auto& v = topology.faces[f].vertices;
-        rounding += std::max({topology.rounding_world[v[0]],
-                              topology.rounding_world[v[1]],
-                              topology.rounding_world[v[2]]});
+        rounding += topology.rounding_of(f);
         return glm::normalize(topology.area_vector(f));
     };
     const glm::dvec3 n0 = normal_of(crossing.face0), n1 = normal_of(crossing.face1);

@@ -54,7 +54,7 @@ class Walker {
                 out.reached = true;
                 return;
             }
-            const auto exit = leave(face, entered, s, out);
+            const auto exit = leave(face, entered, out);
             if (!exit || is_near(exit->point) || exit->point.s() < s - kAtHit_px) return;
             if (exit->point.s() > 1 + kAtHit_px) {
                 look_round(face, goal, out);
@@ -101,10 +101,7 @@ class Walker {
     }
 
     /// The crossing through which the walk leaves a face; notes the face's piece of the profile.
-    std::optional<Passage> leave(std::uint32_t f,
-                                 std::uint32_t entered,
-                                 double s,
-                                 SurfaceWalk& out) {
+    std::optional<Passage> leave(std::uint32_t f, std::uint32_t entered, SurfaceWalk& out) {
         std::optional<Passage> in, exit;
         for (const std::uint32_t e : eye_.model.topology.faces[f].edges) {
             const auto c = crossing(e);
@@ -125,7 +122,7 @@ class Walker {
         if (scale != 0) {
             const double end = is_near(o) ? std::numeric_limits<double>::infinity() : o.s();
             out.pieces.push_back(
-                {s, end, (p.h * o.q - o.h * p.q) / scale, (o.u * p.q - p.u * o.q) / scale});
+                {end, (p.h * o.q - o.h * p.q) / scale, (o.u * p.q - p.u * o.q) / scale});
         }
         return exit;
     }

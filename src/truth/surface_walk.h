@@ -20,9 +20,9 @@ struct CentrePair {
     [[nodiscard]] CentrePair reversed() const { return {x_px + dx, y_px + dy, -dx, -dy, to, from}; }
 };
 
-/// A face that a walk ran over: q = 1/w there is slope * s + offset, from s_begin to s_end.
+/// A face that a walk ran over: q = 1/w there is slope * s + offset, up to s_end.
 struct WalkedPiece {
-    double s_begin = 0, s_end = 0;
+    double s_end = 0;
     double slope = 0, offset = 0;
 };
 

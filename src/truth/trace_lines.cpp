@@ -26,8 +26,13 @@ constexpr double kInset_px = 1.0 / 1024;
 
 constexpr std::size_t kChunk = 64;  ///< edges or crossings a task
 
-/// What can change along a line. `plain`: visible, and not a contour.
-enum class State : std::uint8_t { hidden, plain, against_sky, against_other, against_self };
+/// What can change along a line.
+struct State {
+    bool is_visible = false;
+    ContourKind kind = ContourKind::none;  ///< of a visible contour
+
+    [[nodiscard]] bool operator==(const State&) const = default;
+};
 
 /// Follows one line and notes its visible pieces, and hidden ones if asked.
 class LineTracer {
@@ -58,29 +63,19 @@ class LineTracer {
     State state_at(double s) {
         const LinePoint point = line_->line_point(s);
         ++out_.samples;
-        if (!visibility_.is_visible(point, blocker_, out_.rays)) return State::hidden;
-        if (line_->line_class != LineClass::contour) return State::plain;
-        return contour_state(point, look_);
-    }
-
-    State contour_state(const LinePoint& point, Visibility::Look look) {
-        switch (visibility_.kind_behind(point, look, out_.rays)) {
-            case ContourKind::other_object:
-                return State::against_other;
-            case ContourKind::self:
-                return State::against_self;
-            default:
-                return State::against_sky;
-        }
+        if (!visibility_.is_visible(point, blocker_, out_.rays)) return {};
+        if (line_->line_class != LineClass::contour) return {true};
+        return {true, visibility_.kind_behind(point, look_, out_.rays)};
     }
 
     /// The state of a contour's sample by a closer look. What was seen of one object stays seen.
     State closer(double s, State state) {
-        if (eye_.model.is_one_object && state == State::against_self) return state;
-        return contour_state(line_->line_point(s), Visibility::Look::close);
+        if (eye_.model.is_one_object && state.kind == ContourKind::self) return state;
+        const LinePoint point = line_->line_point(s);
+        return {true, visibility_.kind_behind(point, Visibility::Look::close, out_.rays)};
     }
 
-    static bool is_contour(State state) { return state != State::hidden && state != State::plain; }
+    static bool is_contour(State state) { return state.kind != ContourKind::none; }
 
     /// Finds every change of state that halving meets between two samples. Where only what lies
     /// behind a contour changes, a closer look may find that it does not: a surface that ends right
@@ -115,7 +110,7 @@ class LineTracer {
     }
 
     void emit(double begin, double end, State state) {
-        if (state == State::hidden && !keeps_hidden_) return;
+        if (!state.is_visible && !keeps_hidden_) return;
         Curve curve;
         curve.line_class = line_->line_class;
         curve.edge = line_->segment.edge;
@@ -123,16 +118,13 @@ class LineTracer {
             curve.face0 = crossing->face0;
             curve.face1 = crossing->face1;
         }
-        curve.kind = state == State::against_sky     ? ContourKind::sky
-                     : state == State::against_other ? ContourKind::other_object
-                     : state == State::against_self  ? ContourKind::self
-                                                     : ContourKind::none;
+        curve.kind = state.kind;
         curve.begin = line_->point_at(begin);
         curve.end = line_->point_at(end);
         curve.deviation_rad = line_->segment.crossing != nullptr
                                   ? deviation_of_crossing()
                                   : deviation(begin + (end - begin) / 2);
-        (state == State::hidden ? out_.hidden : out_.curves).push_back(curve);
+        (state.is_visible ? out_.curves : out_.hidden).push_back(curve);
     }
 
     /// How far the two seen faces deviate from flat; of a contour its first two faces.

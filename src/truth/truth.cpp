@@ -142,6 +142,35 @@ class PairRule {
     SurfaceWalk there_, back_;
 };
 
+/// What the rule says of each sample and the next to the right, and of each and that below.
+struct Marks {
+    core::Image<Mark> right, below;
+};
+
+/// `face` holds the face that is seen at each sample, the first of which lies at (offset_px,
+/// offset_px).
+Marks mark_pairs(const EyeView& eye,
+                 const core::Image<std::uint32_t>& face,
+                 double offset_px,
+                 int threads) {
+    const int width = face.width_px(), height = face.height_px();
+    Marks marks{{width, height, Mark::none}, {width, height, Mark::none}};
+    core::parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t row) {
+        PairRule rule(eye);
+        const int y = static_cast<int>(row);
+        const auto mark = [&](int x, int dx, int dy) {
+            const std::uint32_t from = face.at(x, y), to = face.at(x + dx, y + dy);
+            if (from == to) return Mark::none;
+            return rule.mark({x + offset_px, y + offset_px, 1.0 * dx, 1.0 * dy, from, to});
+        };
+        for (int x = 0; x < width; ++x) {
+            if (x + 1 < width) marks.right.at(x, y) = mark(x, 1, 0);
+            if (y + 1 < height) marks.below.at(x, y) = mark(x, 0, 1);
+        }
+    });
+    return marks;
+}
+
 /// One exact sample a pixel, at its centre: the exact classes seen through ids at pixel centres,
 /// 255 where a line runs between two pixels that are neighbours, else 0. A check on construction A,
 /// whose visibility it does not use. No ceiling: a method may draw lines wider than a pixel and so
@@ -169,29 +198,16 @@ class PairRule {
 edge::EdgeImage draw_sampled(const EyeView& eye,
                              const core::Image<std::uint32_t>& face,
                              int threads) {
-    const int width = face.width_px(), height = face.height_px();
-    edge::EdgeImage image(width, height);
-    // Rows are walked side by side, so a vertical pair only notes which of its two pixels is drawn.
-    core::Image<Mark> below(width, height, Mark::none);
-    core::parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t row) {
-        PairRule rule(eye);
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < width; ++x) {
-            const std::uint32_t here = face.at(x, y);
-            if (x + 1 < width && face.at(x + 1, y) != here) {
-                const Mark mark = rule.mark({x + 0.5, y + 0.5, 1, 0, here, face.at(x + 1, y)});
-                if (mark == Mark::first) image.at(x, y) = 255;
-                if (mark == Mark::second) image.at(x + 1, y) = 255;
-            }
-            if (y + 1 < height && face.at(x, y + 1) != here) {
-                below.at(x, y) = rule.mark({x + 0.5, y + 0.5, 0, 1, here, face.at(x, y + 1)});
-            }
-        }
-    });
-    for (int y = 0; y + 1 < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            if (below.at(x, y) == Mark::first) image.at(x, y) = 255;
-            if (below.at(x, y) == Mark::second) image.at(x, y + 1) = 255;
+    const Marks marks = mark_pairs(eye, face, 0.5, threads);
+    edge::EdgeImage image(face.width_px(), face.height_px());
+    const auto draw = [&](Mark mark, int x, int y, int dx, int dy) {
+        if (mark == Mark::first) image.at(x, y) = 255;
+        if (mark == Mark::second) image.at(x + dx, y + dy) = 255;
+    };
+    for (int y = 0; y < image.height_px(); ++y) {
+        for (int x = 0; x < image.width_px(); ++x) {
+            draw(marks.right.at(x, y), x, y, 1, 0);
+            draw(marks.below.at(x, y), x, y, 0, 1);
         }
     }
     return image;
@@ -210,30 +226,13 @@ edge::EdgeImage draw_sampled(const EyeView& eye,
 edge::EdgeImage draw_exact_corner(const EyeView& eye,
                                   const core::Image<std::uint32_t>& face,
                                   int threads) {
-    const int width = face.width_px() - 1, height = face.height_px() - 1;
-    // A line on the side from corner (x, y) to the right, and downwards.
-    core::Image<std::uint8_t> right(face.width_px(), face.height_px());
-    core::Image<std::uint8_t> down(face.width_px(), face.height_px());
-    core::parallel_for(static_cast<std::size_t>(face.height_px()), threads, [&](std::size_t row) {
-        PairRule rule(eye);
-        const int y = static_cast<int>(row);
-        const auto is_line = [&](int x, int dx, int dy) {
-            const std::uint32_t from = face.at(x, y), to = face.at(x + dx, y + dy);
-            if (from == to) return false;
-            const CentrePair pair{
-                x - kCornerShift_px, y - kCornerShift_px, 1.0 * dx, 1.0 * dy, from, to};
-            return rule.mark(pair) != Mark::none;
-        };
-        for (int x = 0; x <= width; ++x) {
-            if (x < width) right.at(x, y) = is_line(x, 1, 0) ? 255 : 0;
-            if (y < height) down.at(x, y) = is_line(x, 0, 1) ? 255 : 0;
-        }
-    });
-    edge::EdgeImage image(width, height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            image.at(x, y) =
-                right.at(x, y) | right.at(x, y + 1) | down.at(x, y) | down.at(x + 1, y);
+    const auto [right, below] = mark_pairs(eye, face, -kCornerShift_px, threads);
+    edge::EdgeImage image(face.width_px() - 1, face.height_px() - 1);
+    for (int y = 0; y < image.height_px(); ++y) {
+        for (int x = 0; x < image.width_px(); ++x) {
+            const bool is_line = right.at(x, y) != Mark::none || right.at(x, y + 1) != Mark::none ||
+                                 below.at(x, y) != Mark::none || below.at(x + 1, y) != Mark::none;
+            image.at(x, y) = is_line ? 255 : 0;
         }
     }
     return image;

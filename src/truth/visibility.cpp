@@ -132,11 +132,11 @@ bool Visibility::pierces(std::uint32_t f, const LinePoint& point, double slack_w
 
 /// How far along the line of sight its plane is met, in units of the way to the point.
 double Visibility::depth_of(std::uint32_t f, const LinePoint& point) const {
-    const auto& v = eye_.model.topology.faces[f].vertices;
-    const auto& p = eye_.model.topology.p_world;
-    const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
+    const scene::Topology& topology = eye_.model.topology;
+    const glm::dvec3& on_plane = topology.p_world[topology.faces[f].vertices[0]];
+    const glm::dvec3 normal = topology.area_vector(f);
     const scene::SightLine line = eye_.projection.sight_to(point.p_world);
-    return glm::dot(normal, p[v[0]] - line.begin_world) / glm::dot(normal, line.way_world);
+    return glm::dot(normal, on_plane - line.begin_world) / glm::dot(normal, line.way_world);
 }
 
 /// Whether the line of sight meets the face's plane in front of the near plane.

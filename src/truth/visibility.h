@@ -84,7 +84,6 @@ class Visibility {
     [[nodiscard]] bool pierces(std::uint32_t face,
                                const LinePoint& point,
                                double slack_world = 0) const;
-    [[nodiscard]] double rounding_of(std::uint32_t face) const;
     [[nodiscard]] double doubt_of(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_cut_away(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_own(std::uint32_t face, const LinePoint& point) const;

@@ -26,6 +26,15 @@ class Complaint {
     void unless(bool is_good, const std::string& what, const std::string& accepted = {}) const {
         if (!is_good) throw core::Error(where_, what, accepted);
     }
+    /// Unless `number` is one of so many `things`; `what` says who has it, and ends before it.
+    void unless_one_of(std::size_t count,
+                       std::size_t number,
+                       const std::string& what,
+                       const char* things) const {
+        unless(number < count,
+               fmt::format("{} {}", what, number),
+               fmt::format("one of {} {}", count, things));
+    }
 
   private:
     std::string where_;
@@ -59,8 +68,8 @@ bool is_good_value(const glm::dquat& q, const Course<glm::dquat>& course) {
     return std::abs(square - 1) < kUnitSlack;
 }
 
-template <class Key, class Value>
-void check_keys(const std::vector<Key>& keys,
+template <class Value>
+void check_keys(const std::vector<Key<Value>>& keys,
                 const Course<Value>& course,
                 const std::string& name,
                 const Complaint& complain) {
@@ -160,27 +169,39 @@ void check_weights(const Skin& skin, const std::string& name, const Complaint& c
                     name + " does not say which weights are whose",
                     "a place in the list for every vertex");
     for (const BoneWeight& weight : skin.weights) {
-        complain.unless(weight.bone < skin.bones.size(),
-                        fmt::format("{} follows bone {}", name, weight.bone),
-                        fmt::format("one of {} bones", skin.bones.size()));
+        complain.unless_one_of(skin.bones.size(), weight.bone, name + " follows bone", "bones");
         complain.unless(std::isfinite(weight.weight) && weight.weight >= 0 && weight.weight <= 1e6F,
                         fmt::format("{} has the weight {:g}", name, weight.weight),
                         "0 or more");
     }
 }
 
-void check_skins(const Scene& scene, const Animation& animation, const Complaint& complain) {
+/// That what moves a mesh is of one that nothing else of its kind moves, and no frames.
+template <class Motion>
+void check_meshes(const std::vector<Motion>& motions,
+                  const std::string& kind,
+                  const Scene& scene,
+                  const Animation& animation,
+                  const Complaint& complain) {
     std::vector<bool> is_taken(scene.meshes.size(), false);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const std::uint32_t mesh = motions[i].mesh;
+        const std::string name = fmt::format("{} {}", kind, i);
+        complain.unless(mesh < scene.meshes.size() && !is_taken[mesh],
+                        fmt::format("{} is of mesh {}", name, mesh),
+                        "a mesh without another " + kind);
+        is_taken[mesh] = true;
+        complain.unless(
+            animation.vertex_frames.empty() || animation.vertex_frames[mesh].frame_count == 0,
+            name + " is of a mesh that has frames, too");
+    }
+}
+
+void check_skins(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    check_meshes(animation.skins, "skin", scene, animation, complain);
     for (std::size_t s = 0; s < animation.skins.size(); ++s) {
         const Skin& skin = animation.skins[s];
         const std::string name = fmt::format("skin {}", s);
-        complain.unless(skin.mesh < scene.meshes.size() && !is_taken[skin.mesh],
-                        fmt::format("{} is of mesh {}", name, skin.mesh),
-                        "a mesh without another skin");
-        is_taken[skin.mesh] = true;
-        complain.unless(
-            animation.vertex_frames.empty() || animation.vertex_frames[skin.mesh].frame_count == 0,
-            name + " is of a mesh that has frames, too");
         const std::size_t vertices = scene.meshes[skin.mesh].positions.size();
         complain.unless(skin.positions.size() == vertices &&
                             (skin.normals.empty() || skin.normals.size() == vertices),
@@ -192,9 +213,8 @@ void check_skins(const Scene& scene, const Animation& animation, const Complaint
         check_vectors(skin.positions, name, complain);
         check_vectors(skin.normals, name, complain);
         for (const Skin::Bone& bone : skin.bones) {
-            complain.unless(bone.node < animation.nodes.size(),
-                            fmt::format("{} has a bone at node {}", name, bone.node),
-                            fmt::format("one of {} nodes", animation.nodes.size()));
+            complain.unless_one_of(
+                animation.nodes.size(), bone.node, name + " has a bone at node", "nodes");
             complain.unless(is_affine(bone.node_from_mesh),
                             name + " has a bone whose transform is not affine",
                             "finite numbers, and 0 0 0 1 in the last row");
@@ -204,17 +224,10 @@ void check_skins(const Scene& scene, const Animation& animation, const Complaint
 }
 
 void check_morphs(const Scene& scene, const Animation& animation, const Complaint& complain) {
-    std::vector<bool> is_taken(scene.meshes.size(), false);
+    check_meshes(animation.morphs, "morph", scene, animation, complain);
     for (std::size_t m = 0; m < animation.morphs.size(); ++m) {
         const Morph& morph = animation.morphs[m];
         const std::string name = fmt::format("morph {}", m);
-        complain.unless(morph.mesh < scene.meshes.size() && !is_taken[morph.mesh],
-                        fmt::format("{} is of mesh {}", name, morph.mesh),
-                        "a mesh without another morph");
-        is_taken[morph.mesh] = true;
-        complain.unless(
-            animation.vertex_frames.empty() || animation.vertex_frames[morph.mesh].frame_count == 0,
-            name + " is of a mesh that has frames, too");
         const Mesh& mesh = scene.meshes[morph.mesh];
         complain.unless(morph.positions.size() == mesh.positions.size() &&
                             morph.normals.size() == mesh.normals.size(),
@@ -250,9 +263,8 @@ void check_cameras(const Scene& scene, const Animation& animation, const Complai
                     fmt::format("it moves {} cameras of {}", node_of.size(), scene.cameras.size()),
                     "none, or as many as there are");
     for (const std::uint32_t node : node_of) {
-        complain.unless(node == kNoNode || node < animation.nodes.size(),
-                        fmt::format("a camera hangs on node {}", node),
-                        fmt::format("one of {} nodes", animation.nodes.size()));
+        if (node != kNoNode)
+            complain.unless_one_of(animation.nodes.size(), node, "a camera hangs on node", "nodes");
     }
 }
 
@@ -262,9 +274,9 @@ void check_lights(const Scene& scene, const Animation& animation, const Complain
         fmt::format("it moves {} lights of {}", animation.lights.size(), scene.lights.size()),
         "none, or as many as there are");
     for (const LightMotion& light : animation.lights) {
-        complain.unless(light.node == kNoNode || light.node < animation.nodes.size(),
-                        fmt::format("a light hangs on node {}", light.node),
-                        fmt::format("one of {} nodes", animation.nodes.size()));
+        if (light.node != kNoNode)
+            complain.unless_one_of(
+                animation.nodes.size(), light.node, "a light hangs on node", "nodes");
         complain.unless(
             is_finite(light.p_node), "a light has a place that is not finite", "finite numbers");
     }
@@ -283,11 +295,10 @@ void check_animation(const Scene& scene, const Animation& animation) {
         node_of.size() == scene.instances.size(),
         fmt::format("it moves {} instances of {}", node_of.size(), scene.instances.size()),
         "as many as there are");
-    for (const std::uint32_t node : node_of) {
-        complain.unless(node == kNoNode || node < animation.nodes.size(),
-                        fmt::format("an instance hangs on node {}", node),
-                        fmt::format("one of {} nodes", animation.nodes.size()));
-    }
+    for (const std::uint32_t node : node_of)
+        if (node != kNoNode)
+            complain.unless_one_of(
+                animation.nodes.size(), node, "an instance hangs on node", "nodes");
     check_frames(scene, animation, complain);
     check_morphs(scene, animation, complain);
     check_skins(scene, animation, complain);

@@ -127,11 +127,10 @@ void pose_camera(const glm::dmat4& world_from_eye, Camera& camera) {
 }
 
 /// The stored frame at a time, its fraction the way to the next one.
-double frame_at(const Animation& animation, double time_s, Between between) {
+double frame_at(const Animation& animation, double time_s) {
     const double frame = time_s * animation.frames_per_s;
     const double nearest = std::round(frame);
-    if (std::abs(frame - nearest) < kSameFrame) return nearest;
-    return between == Between::whole ? std::floor(frame) : frame;
+    return std::abs(frame - nearest) < kSameFrame ? nearest : frame;
 }
 
 void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
@@ -171,13 +170,11 @@ void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
 
 }  // namespace
 
-void pose_scene(Scene& scene, double time_s, Between between) {
+void pose_scene(Scene& scene, double time_s) {
     if (!scene.animation) return;
     const Animation& animation = *scene.animation;
     time_s = std::clamp(time_s, 0.0, animation.duration_s);
-    const bool has_frames = animation.frame_count() > 0;
-    const double frame = has_frames ? frame_at(animation, time_s, between) : 0;
-    if (has_frames && between == Between::whole) time_s = frame / animation.frames_per_s;
+    const double frame = animation.frame_count() > 0 ? frame_at(animation, time_s) : 0;
     pose_all(scene, time_s, frame);
 }
 

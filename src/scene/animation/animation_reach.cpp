@@ -40,10 +40,10 @@ double size_of(double value) {
 
 /// The most that a value can be, by `size`. A cubic course is a mean of two keys and the tangents,
 /// each of which counts for 4/27 of the time between the keys at most.
-template <class Key, class Value, class Size>
-double most_of(const std::vector<Key>& keys, const Course<Value>& course, Size size) {
+template <class Value, class Size>
+double most_of(const std::vector<Key<Value>>& keys, const Course<Value>& course, Size size) {
     double most = 0;
-    for (const Key& key : keys)
+    for (const Key<Value>& key : keys)
         most = std::max(most, size(key.value));
     double bulge = 0;
     for (std::size_t k = 1; k < course.tangents.size(); ++k) {

@@ -23,10 +23,9 @@ std::vector<double> weld_tolerances(const Topology& topology) {
     std::vector<double> tolerances;
     for (const Box& box : object_boxes(topology))
         tolerances.push_back(kRelativeTolerance * box.diagonal());
-    for (const Face& face : topology.faces) {
-        for (const std::uint32_t v : face.vertices)
-            tolerances[face.object] =
-                std::max(tolerances[face.object], 2 * topology.rounding_world[v]);
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
+        double& tolerance = tolerances[topology.faces[f].object];
+        tolerance = std::max(tolerance, 2 * topology.rounding_of(f));
     }
     return tolerances;
 }

@@ -56,11 +56,7 @@ std::vector<glm::dvec3> placed_points(const Scene& scene) {
     std::vector<glm::dvec3> points;
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        std::vector<bool> is_used(mesh.positions.size());
-        for (const Triangle& triangle : mesh.triangles) {
-            for (const auto corner : triangle)
-                is_used[corner] = true;
-        }
+        const std::vector<bool> is_used = used_vertices(mesh);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             if (is_used[i]) points.push_back(to_world(instance, mesh.positions[i]));
         }

@@ -10,19 +10,12 @@
 
 namespace ink::truth {
 
-/// How far rounding may have moved any corner of a face.
-double Visibility::rounding_of(std::uint32_t f) const {
-    const auto& rounding = eye_.model.topology.rounding_world;
-    const auto& v = eye_.model.topology.faces[f].vertices;
-    return std::max({rounding[v[0]], rounding[v[1]], rounding[v[2]]});
-}
-
 /// How far the point may lie off a face that it lies in: of one that coincides with one of the two
 /// that cross, as far as rounding may have moved them; of others, what computing it lost.
 double Visibility::doubt_of(std::uint32_t f, const LinePoint& point) const {
     const Crossing& crossing = *point.crossing;
     const bool is_one_of_two = is_coplanar(f, crossing.face0) || is_coplanar(f, crossing.face1);
-    return is_one_of_two ? point.doubt_world + rounding_of(f) : crossing.error;
+    return is_one_of_two ? point.doubt_world + eye_.model.topology.rounding_of(f) : crossing.error;
 }
 
 /// The side where the true point lies for sure, else 0.
@@ -39,7 +32,7 @@ int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const 
         return std::abs(height) > off * glm::length(normal) + noise;
     };
     const int side = height > 0 ? 1 : -1;
-    if (is_off(point.doubt_world + rounding_of(f))) return side;
+    if (is_off(point.doubt_world + eye_.model.topology.rounding_of(f))) return side;
     return is_off(doubt_of(f, point)) ? side : 0;
 }
 

@@ -143,8 +143,7 @@ Flat flat(const scene::Topology& topology, std::uint32_t f) {
     result.face = f;
     for (std::size_t i = 0; i < 3; ++i)
         result.p[i] = topology.p_world[result.vertices[i]];
-    for (const std::uint32_t v : result.vertices)
-        result.rounding = std::max(result.rounding, topology.rounding_world[v]);
+    result.rounding = topology.rounding_of(f);
     const glm::dvec3 u = result.p[1] - result.p[0], v = result.p[2] - result.p[0];
     result.normal = glm::cross(u, v);
     result.size = std::max({largest(u), largest(v), largest(v - u)});

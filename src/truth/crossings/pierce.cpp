@@ -4,17 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/box.h"
 #include "scene/precision/rounding.h"
 #include "scene/predicates.h"
 
 namespace ink::truth {
 namespace {
-
-double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 along = b - a;
-    const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
-    return glm::length(p - (a + t * along));
-}
 
 constexpr double kShortest = 1e-12;  ///< of an edge in a coplanar triangle: below, a point
 
@@ -189,11 +184,10 @@ class Pair {
 
     void add_contact(std::size_t i, Side side, const Crossing& crossing, Meeting& meeting) {
         const scene::Edge& edge = topology_.edges[face_[i]->edges[side]];
-        const glm::dvec3 along = p_[edge.b] - p_[edge.a];
         const auto parameter = [&](const glm::dvec3& p) {
             if (p == p_[edge.a]) return 0.0;
             if (p == p_[edge.b]) return 1.0;
-            return std::clamp(glm::dot(p - p_[edge.a], along) / glm::dot(along, along), 0.0, 1.0);
+            return scene::nearest_share(p, p_[edge.a], p_[edge.b]);
         };
         const auto [begin, end] =
             std::minmax({parameter(crossing.begin_world), parameter(crossing.end_world)});
@@ -308,8 +302,9 @@ double distance_to_triangle(const glm::dvec3& p, const std::array<glm::dvec3, 3>
     const double du = glm::dot(d, u), dv = glm::dot(d, v);
     const double area2 = uu * vv - uv * uv;
     const double s = vv * du - uv * dv, t = uu * dv - uv * du;
-    const double on_border = std::min(
-        {distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+    const double on_border = std::min({scene::distance_to_segment(p, a, b),
+                                       scene::distance_to_segment(p, b, c),
+                                       scene::distance_to_segment(p, c, a)});
     if (!(area2 > 0) || s < 0 || t < 0 || s + t > area2) return on_border;
     return std::min(on_border, glm::length(d - (s * u + t * v) / area2));
 }

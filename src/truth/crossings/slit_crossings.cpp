@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "scene/box.h"
+
 namespace ink::truth {
 namespace {
 
@@ -12,10 +14,8 @@ constexpr double kShortestSlit = 8;  ///< tolerances; a shorter part only ends a
 constexpr int kHalvings = 60;
 
 double distance_to_edge(const scene::Topology& topology, std::uint32_t e, const glm::dvec3& p) {
-    const glm::dvec3 a = topology.p_world[topology.edges[e].a];
-    const glm::dvec3 ab = topology.p_world[topology.edges[e].b] - a;
-    const double t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0, 1.0);
-    return glm::length(p - (a + t * ab));
+    const scene::Edge& edge = topology.edges[e];
+    return scene::distance_to_segment(p, topology.p_world[edge.a], topology.p_world[edge.b]);
 }
 
 /// A part of a crossing: begin + t (end - begin), t_begin <= t <= t_end.

@@ -90,10 +90,7 @@ class Bundle {
     [[nodiscard]] std::uint32_t border_of(const Sheet& sheet) const {
         if (!sheet.is_there()) return kNoEdge;
         const scene::Face& face = eye_.model.topology.faces[sheet.face];
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (face.vertices[(i + 2) % 3] == sheet.vertex) return face.edges[i];
-        }
-        return kNoEdge;
+        return face.edges[side_opposite(face, sheet.vertex)];
     }
 
   private:
