@@ -41,10 +41,6 @@ TEST(Cage, ACubeSubdividedOnceHasTheAverages) {
     expect_closed(mesh);
 }
 
-TEST(Cage, LevelsMultiplyByFour) {
-    EXPECT_EQ(subdivided(cube_cage(), 3).triangles.size(), 6U * 4 * 4 * 4 * 2);
-}
-
 TEST(Cage, AFaceIsPulledOutAlongItsStations) {
     Cage cage = cube_cage();
     const std::size_t top = cage.faces.size() - 1;

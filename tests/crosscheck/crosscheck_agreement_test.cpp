@@ -218,15 +218,6 @@ TEST_F(PlantedFault, AllLinesMovedByHalfAPixel) {
     }
 }
 
-TEST_F(PlantedFault, CreasesHidden) {
-    std::erase_if(both_.curves, [](const truth::Curve& curve) {
-        return curve.line_class == truth::LineClass::crease;
-    });
-    EXPECT_EQ(of(truth::LineClass::crease).crosscheck_covered_px, 0);
-    EXPECT_GT(of(truth::LineClass::crease).crosscheck_px, 1000);
-    EXPECT_TRUE(of(truth::LineClass::contour).is_agreed());
-}
-
 TEST(Agreement, CountsWhatOneHasAndTheOtherNot) {
     // Two level lines of 8 px: one that the cross-check sees to its middle, one that it does not
     // see.

@@ -31,63 +31,6 @@ void expect_length(const SampledLines& crosscheck,
         << truth::name(line_class);
 }
 
-TEST(SampledLines, SeesNineEdgesOfATurnedCube) {
-    const glm::dmat4 tilt = glm::rotate(glm::dmat4(1), 0.6, glm::dvec3(1, 0, 0));
-    const glm::dmat4 turn = glm::rotate(tilt, -0.7, glm::dvec3(0, 1, 0));
-    scene::Scene scene = truth::scene_of({truth::box({-1, -1, -1}, {1, 1, 1})});
-    scene.instances[0].world_from_object = turn;
-    const auto length = [&](glm::dvec3 a, glm::dvec3 b) {
-        const glm::dvec3 a_world(turn * glm::dvec4(a, 1)), b_world(turn * glm::dvec4(b, 1));
-        return glm::length(truth::project(a_world, 6) - truth::project(b_world, 6));
-    };
-    const SampledLines crosscheck = look(scene, truth::view_from(6));
-    expect_length(crosscheck,
-                  truth::LineClass::crease,
-                  length({1, 1, 1}, {-1, 1, 1}) + length({1, 1, 1}, {1, -1, 1}) +
-                      length({1, 1, 1}, {1, 1, -1}));
-    expect_length(crosscheck,
-                  truth::LineClass::contour,
-                  length({-1, 1, 1}, {-1, -1, 1}) + length({-1, -1, 1}, {1, -1, 1}) +
-                      length({1, -1, 1}, {1, -1, -1}) + length({1, -1, -1}, {1, 1, -1}) +
-                      length({1, 1, -1}, {-1, 1, -1}) + length({-1, 1, -1}, {-1, 1, 1}));
-    EXPECT_EQ(lengths(crosscheck).size(), 2U);
-    EXPECT_EQ(crosscheck.counts.unexplained, 0U);
-}
-
-TEST(SampledLines, SeesTheSeamOfTwoTilesAndTheirSixBorders) {
-    scene::Mesh left, right;
-    truth::add_quad(left, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
-    truth::add_quad(right, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
-    const SampledLines crosscheck = look(truth::scene_of({left, right}), truth::view_from(6));
-    // 100 px a unit at distance 6: the seam is two units long, the outline eight.
-    expect_length(crosscheck, truth::LineClass::seam, 200);
-    expect_length(crosscheck, truth::LineClass::boundary, 800);
-    EXPECT_EQ(lengths(crosscheck).size(), 2U);
-}
-
-TEST(SampledLines, SeesTwoPlanesCross) {
-    // Two squares of side 2 that cross in the line x = 0, z = 0, each turned by 30 degrees to one
-    // side; nothing of either is hidden but beyond that line.
-    const auto c = static_cast<float>(std::cos(std::numbers::pi / 6));
-    const auto s = static_cast<float>(std::sin(std::numbers::pi / 6));
-    scene::Mesh first, second;
-    truth::add_quad(first, {-c, -1, -s}, {c, -1, s}, {c, 1, s}, {-c, 1, -s});
-    truth::add_quad(second, {-c, -1, s}, {c, -1, -s}, {c, 1, -s}, {-c, 1, s});
-    const SampledLines crosscheck = look(truth::scene_of({first, second}), truth::view_from(6));
-    expect_length(crosscheck, truth::LineClass::intersection, 200);
-}
-
-TEST(SampledLines, SeesAContourAsFarAsABoxHidesIt) {
-    // The front face of a box of side 2, face-on, 100 px a unit, and one twice as far behind it and
-    // to the right, whose front spans x = 0.5..3.5 at 60 px a unit: 350..530 px, of which the first
-    // box hides what lies left of 420 px.
-    const SampledLines crosscheck =
-        look(truth::scene_of({truth::box({-1, -1, -0.5}, {1, 1, 0}),
-                              truth::box({0.5, -1, -4.5}, {3.5, 1, -4})}),
-             truth::view_from(6));
-    expect_length(crosscheck, truth::LineClass::contour, 4 * 200 + 120 + 2 * (530 - 420));
-}
-
 TEST(SampledLines, SeesNothingAcrossASlitOfTheWeldTolerance) {
     // The tiles lie a third of the tolerance (1e-6 of a diagonal of 2.8) apart, in one object.
     scene::Mesh mesh;

@@ -165,10 +165,6 @@ TEST(CreaseProposal, LiesBetweenTheSidesOfADrumAndItsLids) {
     expect_gap(14, 26, 39);
 }
 
-TEST(CreaseProposal, OfABoxIsTheUsualAngleForNothingOfItIsCurved) {
-    EXPECT_NEAR(propose_crease(weld(scene_of(unit_cube()))).angle_rad, 40 * kDegree, 1e-12);
-}
-
 TEST(CreaseProposal, WithoutAnyBendIsTheUsualAngle) {
     Mesh flat = square_and_wall();
     flat.triangles.pop_back();

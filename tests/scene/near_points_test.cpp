@@ -30,14 +30,6 @@ TEST(NearPoints, JoinUpToTheDistanceAndNoFarther) {
     EXPECT_TRUE(joined({}, 1).empty());
 }
 
-TEST(NearPoints, AChainJoinsFromEndToEnd) {
-    Points points;
-    for (int i = 9; i >= 0; --i)
-        points.push_back({0.1 * i, 0, 0});
-    for (const glm::dvec3& p : joined(points, 0.11))
-        EXPECT_EQ(p, glm::dvec3(0)) << "the first by x";
-}
-
 TEST(NearPoints, PartsHaveDistancesOfTheirOwn) {
     const Points points = {{0, 0, 0}, {0.1, 0, 0}, {5, 0, 0}, {5.1, 0, 0}};
     NearPoints near(points);

@@ -9,17 +9,13 @@
 #include <numbers>
 #include <random>
 
+#include "tests/scene/small_meshes.h"
+
 namespace ink::scene {
 namespace {
 
 Scene scene_of(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles) {
-    Scene scene;
-    Mesh mesh;
-    mesh.positions = positions;
-    mesh.triangles = triangles;
-    scene.meshes.push_back(mesh);
-    scene.instances.push_back({0, glm::dmat4(1), "part"});
-    return scene;
+    return scene_of(Mesh{"part", positions, {}, triangles, {}});
 }
 
 /// Any rotation, each as likely as another.

@@ -108,17 +108,6 @@ TEST(SceneStatistics, OfTwoCoplanarTilesHasOneSeam) {
     EXPECT_EQ(statistics.near_sheets.pairs, 0U);
 }
 
-TEST(SceneStatistics, OfAStaircaseBendsBothWays) {
-    const std::vector<glm::dvec2> profile = {
-        {0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 3}, {0, 3}};
-    const SceneStatistics statistics = statistics_of(scene_of(catalogue::extrude(profile, {0, 1})));
-    EXPECT_EQ(statistics.creases.count, 3U * 8);
-    EXPECT_EQ(statistics.watertight_components, 1U);
-    EXPECT_EQ(statistics.convex_components, 0U);
-    EXPECT_TRUE(statistics.may_hide());
-    EXPECT_FALSE(statistics.may_cross());
-}
-
 TEST(SceneStatistics, OfBoxesThroughEachOtherMayCross) {
     const SceneStatistics through = statistics_of(scene_of(
         {catalogue::make_box({-1, -1, -1}, {1, 1, 1}), catalogue::make_box({0, 0, 0}, {2, 2, 2})}));

@@ -33,25 +33,6 @@ Traced trace_view_of(const char* name, const char* view_name) {
     return traced;
 }
 
-double crease_length(const scene::Topology& topology, std::uint32_t object, std::size_t& edges) {
-    constexpr double kCrease_rad = 40 * std::numbers::pi / 180;
-    double length = 0;
-    for (const scene::Edge& edge : topology.edges) {
-        const auto faces = topology.faces_of(edge);
-        if (faces.size() != 2 || topology.faces[faces[0]].object != object) continue;
-        const auto normal = [&](std::uint32_t f) {
-            const auto& v = topology.faces[f].vertices;
-            const auto p = [&](int i) { return glm::dvec3(topology.p_world[v[i]]); };
-            return glm::normalize(glm::cross(p(1) - p(0), p(2) - p(0)));
-        };
-        if (glm::dot(normal(faces[0]), normal(faces[1])) > std::cos(kCrease_rad)) continue;
-        ++edges;
-        length += glm::distance(glm::dvec3(topology.p_world[edge.a]),
-                                glm::dvec3(topology.p_world[edge.b]));
-    }
-    return length;
-}
-
 TEST(CatalogueForms, AMillionTrianglesShowOneCircle) {
     const Traced globe = trace_view_of("globe", "front");
     // The ball of radius 1 about the origin: its outline's radius is f / sqrt(d^2 - 1).
@@ -100,37 +81,6 @@ TEST(CatalogueForms, EveryBarShowsBothItsSides) {
     }
     const double sides_px = 64 * 2 * 16 * (4.0 + 3);
     EXPECT_NEAR(contours, sides_px, 0.001 * sides_px);
-}
-
-TEST(CatalogueForms, FilletsLeaveSixCreases) {
-    const scene::Scene scene = catalogue::make_catalogue_scene("bracket");
-    const scene::Topology topology = scene::weld(scene);
-    std::size_t edges = 0;
-    const double flange = crease_length(topology, 0, edges);
-    // 4 rings of 4 x (12 + 8) points: plate, boss, and both ends of the bore.
-    EXPECT_EQ(edges, 4U * 80);
-    const double kPi = std::numbers::pi;
-    const double plate = 2 * (2 * (1.6 - 0.4) + 2 * (1.1 - 0.4)) + 2 * kPi * 0.4;
-    EXPECT_NEAR(flange, plate + 2 * kPi * (0.6 + 2 * 0.35), 0.02);
-    edges = 0;
-    const double angle = crease_length(topology, 1, edges);
-    // Both ends of the bend: outer and inner arc, straight sides, and a half circle at each end.
-    const double straight = 2 * (2 - 0.52 - 0.11) + 2 * (1.6 - 0.52 - 0.11);
-    const double round = kPi / 2 * (0.52 + 0.3) + 2 * kPi * 0.11;
-    EXPECT_NEAR(angle, 2 * (straight + round), 0.02);
-}
-
-TEST(CatalogueForms, TheTrussHasItsBars) {
-    const scene::Scene scene = catalogue::make_catalogue_scene("truss");
-    const auto count = [&](const char* name) {
-        return std::count_if(scene.instances.begin(), scene.instances.end(), [&](const auto& i) {
-            return i.name == name;
-        });
-    };
-    // Layers of 4 x 3 and 3 x 2 balls, their rows and columns, and four braces a lower ball.
-    EXPECT_EQ(count("ball"), 4 * 3 + 3 * 2);
-    EXPECT_EQ(count("chord"), (3 * 3 + 4 * 2) + (2 * 2 + 3 * 1));
-    EXPECT_EQ(count("brace"), 4 * 3 * 2);
 }
 
 TEST(CatalogueForms, SmoothBodiesHideThemselves) {

@@ -205,18 +205,6 @@ TEST(Class, CracksWiderThanTheToleranceAreBoundaries) {
     }
 }
 
-TEST(Class, BoxThatStandsOnAFloorKeepsItsFoot) {
-    const scene::Mesh floor = quad({-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
-    const scene::Scene scene = scene_of({floor, box({-1, 0, -1}, {1, 2, 1})});
-    const scene::View view = view_from({3, 4, 12}, {0, 1, 0});
-    const Truth truth = trace(scene, view);
-    const glm::dvec3 left{-1, 0, 1}, near{1, 0, 1}, right{1, 0, -1}, far{-1, 0, -1};
-    EXPECT_NEAR(seen_length(scene, truth, left, near), length_px(view, left, near), kPx);
-    EXPECT_NEAR(seen_length(scene, truth, near, right), length_px(view, near, right), kPx);
-    EXPECT_EQ(seen_length(scene, truth, right, far), 0);
-    EXPECT_EQ(seen_length(scene, truth, far, left), 0);
-}
-
 TEST(Class, TorusContoursEndInside) {
     const double tilt = 0.6;
     const Truth truth = trace(scene_of({catalogue::make_torus({1, 0.45}, {96, 48})}),

@@ -34,22 +34,6 @@ std::vector<int> columns_of(const Flags& flags, int y) {
     return columns;
 }
 
-TEST(Cracks, OfAnUprightLineBetweenCentresAreOneARow) {
-    const Cracks cracks = cracks_of({line(5.2, 2, 5.2, 9)});
-    EXPECT_EQ(count(cracks.below), 0);
-    EXPECT_EQ(count(cracks.right), 7);
-    for (int y = 2; y < 9; ++y)
-        EXPECT_EQ(columns_of(cracks.right, y), std::vector<int>{4}) << y;
-}
-
-TEST(Cracks, OfALevelLineBetweenCentresAreOneAColumn) {
-    const Cracks cracks = cracks_of({line(3, 5.8, 9, 5.8)});
-    EXPECT_EQ(count(cracks.right), 0);
-    EXPECT_EQ(count(cracks.below), 6);
-    for (int x = 3; x < 9; ++x)
-        EXPECT_NE(cracks.below.at(x, 5), 0) << x;
-}
-
 TEST(Cracks, OfASlopedLineAreOneARowAndOneAColumn) {
     // y = 1.1 + (x - 1.3) / 2 over 12 columns of centres and 6 rows of them.
     const Cracks cracks = cracks_of({line(1.3, 1.1, 13.3, 7.1)});

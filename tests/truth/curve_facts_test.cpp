@@ -37,14 +37,6 @@ TEST(CurveFacts, QuadBeforeTheSkyHasAnInfiniteGapAndOneFace) {
     }
 }
 
-TEST(CurveFacts, QuadBeforeAWallHasTheGapBetweenThem) {
-    const scene::Scene scene = scene_of({upright_quad(1, 0.5F, 0), upright_quad(50, 50, -3)});
-    const Truth truth = trace(scene, view_from(4));
-    ASSERT_EQ(truth.curves.size(), 4U) << "the wall fills the frame";
-    for (const Curve& curve : truth.curves)
-        EXPECT_NEAR(curve.gap, 3, 1e-6);
-}
-
 TEST(CurveFacts, GapBeforeASlantedWallIsTakenAlongTheViewDirection) {
     // The wall is the plane z = -3 - x / 2, seen from (0, 0, 4). The line of sight through (x, y,
     // 0) goes on as (x, y, 0) (1 + t) - (0, 0, 4 t): it meets the wall where 4 t = 3 + x (1 + t)
@@ -183,32 +175,6 @@ TEST(CurveFacts, SeamWithoutSharedVerticesHasTheFaceThatGoesOn) {
         ++seams;
     }
     EXPECT_GE(seams, 1U);
-}
-
-TEST(CurveFacts, TwoViewsOfOneSceneHaveTheirOwnGaps) {
-    // The same box before the same wall from two distances: the gap is the scene's, the angle the
-    // view's.
-    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), upright_quad(90, 90, -3)});
-    for (const double distance : {5.0, 9.0}) {
-        const Truth truth = trace(scene, view_from(distance));
-        ASSERT_EQ(truth.curves.size(), 4U);
-        for (const Curve& curve : truth.curves) {
-            EXPECT_NEAR(curve.gap, 4, 1e-5);
-            EXPECT_NEAR(curve.view_angle_rad, std::atan2(1.0, distance - 1), 1e-6);
-        }
-    }
-}
-
-TEST(CurveFacts, LengthsOfContoursByKind) {
-    // As in ClosedForm.ContourKnowsWhatLiesBehindIt: 37.5 px of the upright sides pass the box
-    // behind.
-    const scene::Scene scene =
-        scene_of({box({-0.5F, -0.5F, 0}, {0.5F, 0.5F, 1}), box({-2, -0.25F, -4}, {2, 0.25F, -3})});
-    const Truth truth = trace(scene, view_from(5));
-    const ContourLengths sum = contour_lengths(truth.curves);
-    EXPECT_NEAR(sum.other_object_px, 2 * 37.5, 0.05);
-    EXPECT_NEAR(sum.sky_px, 4 * 150 + 4 * 75, 0.1);
-    EXPECT_EQ(sum.self_px, 0);
 }
 
 }  // namespace

@@ -11,10 +11,6 @@ Curve piece(double x0, double y0, double x1, double y1, LineClass line_class = L
 
 using Indices = std::vector<std::uint32_t>;
 
-TEST(JoinCurves, NoneGiveNone) {
-    EXPECT_TRUE(join_curves({}).empty());
-}
-
 TEST(JoinCurves, PiecesThatMeetBecomeOneRunWhicheverWayTheyPoint) {
     // 0 and 1 point along, 2 points against: (0,0) (1,0) (2,0) (3,0).
     const std::vector<Curve> curves = {piece(1, 0, 2, 0), piece(0, 0, 1, 0), piece(3, 0, 2, 0)};

@@ -41,15 +41,6 @@ scene::Mesh prism(int sides, double radius, float half_height) {
     return mesh;
 }
 
-TEST(Parallel, ACubeAlongAnAxisIsASquare) {
-    const Truth truth = trace(turned_cube(glm::dmat4(1)), parallel_view({0, 0, 1}));
-    EXPECT_EQ(truth.curves.size(), 4U);
-    for (const Curve& curve : truth.curves) {
-        EXPECT_EQ(curve.line_class, LineClass::contour);
-        EXPECT_NEAR(length_px(curve), 2 * kPxPerUnit, kPx);
-    }
-}
-
 TEST(Parallel, ACubeAlongItsDiagonalIsAHexagonAndThree) {
     const Truth truth = trace(turned_cube(glm::dmat4(1)), parallel_view({1, 1, 1}));
     const double side_px = 2 * std::sqrt(2.0 / 3) * kPxPerUnit;
@@ -98,38 +89,6 @@ TEST(Parallel, APrismShowsTheEdgesOfItsFrontFaces) {
         for (const auto& [line_class, length] : expected)
             EXPECT_NEAR(found.at(line_class), length, 10 * kPx) << name(line_class);
     }
-}
-
-TEST(Parallel, ACylinderHasTwoLinesAndTwoEllipses) {
-    constexpr int kSides = 360;
-    constexpr double kRadius = 1.5, kHalf = 1;
-    const double tilt = 0.5;
-    const Truth truth = trace(scene_of({prism(kSides, kRadius, kHalf)}),
-                              parallel_view({0, std::sin(tilt), std::cos(tilt)}));
-    const double sagitta = kRadius * (1 - std::cos(std::numbers::pi / kSides));
-    const auto is_on_rim = [&](const glm::dvec2& p, double y) {
-        const glm::dvec2 from_middle(p.x, (p.y - y * std::cos(tilt)) / std::sin(tilt));
-        return std::abs(glm::length(from_middle) - kRadius) < sagitta + 1e-6;
-    };
-    double length = 0;
-    for (const Curve& curve : truth.curves) {
-        for (const CurvePoint& end : {curve.begin, curve.end}) {
-            const glm::dvec2 p = seen_at(end);
-            const bool is_on_side = std::abs(std::abs(p.x) - kRadius) < sagitta + 1e-6;
-            EXPECT_TRUE(is_on_side || is_on_rim(p, kHalf) || is_on_rim(p, -kHalf));
-        }
-        length += length_px(curve);
-    }
-    // One rim is seen all round, the other from before alone.
-    double ellipse = 0;
-    const auto on_ellipse = [&](int i) {
-        const double turn = 2 * std::numbers::pi * i / 10000;
-        return kRadius * glm::dvec2(std::sin(turn), std::sin(tilt) * std::cos(turn));
-    };
-    for (int i = 0; i < 10000; ++i)
-        ellipse += glm::length(on_ellipse(i + 1) - on_ellipse(i));
-    const double expected = 1.5 * ellipse + 2 * 2 * kHalf * std::cos(tilt);
-    EXPECT_NEAR(length / kPxPerUnit, expected, 0.001 * expected);
 }
 
 // A torus is what balls along a circle sweep: the outline of their shadow is as far from the
