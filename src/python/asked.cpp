@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@
 
 #include "core/error.h"
 #include "core/param.h"
-#include "core/parse_number.h"
 #include "core/split_list.h"
 #include "experiment/options/option_table.h"
 #include "experiment/options/view_rows.h"
@@ -59,15 +59,6 @@ std::vector<double> numbers_of(const py::handle& value) {
         numbers.push_back(py::float_(py::reinterpret_borrow<py::object>(each)));
     }
     return numbers;
-}
-
-double number_of(const py::handle& value, const char* option, const char* accepted) {
-    if (PyNumber_Check(value.ptr()) != 0)
-        return py::float_(py::reinterpret_borrow<py::object>(value));
-    const std::string text = text_of(value);
-    const auto number = core::parse_number<double>(text);
-    if (!number) throw core::Error(option, fmt::format("'{}' is no number", text), accepted);
-    return *number;
 }
 
 glm::dvec3 point_of(const py::handle& value, const core::GivenText& given) {
@@ -207,9 +198,9 @@ std::string text_of(const py::handle& value) {
 Camera::Camera(const py::object& eye,
                const py::object& target,
                const py::object& up,
-               const py::object& fov_deg,
+               double fov_deg,
                const py::object& size,
-               const py::object& parallel_height)
+               std::optional<double> parallel_height)
     : size_px(size_of(size)) {
     request.eye_world = point_of(eye, {joined(eye, ","), "--eye"});
     if (!target.is_none())
@@ -218,11 +209,10 @@ Camera::Camera(const py::object& eye,
     request.up_world = numbers_of(up).empty()
                            ? experiment::parse_direction(up_text)
                            : experiment::checked_direction(point_of(up, up_text), up_text);
-    if (parallel_height.is_none()) {
-        request.fov_deg = harness::checked_fov_deg(number_of(fov_deg, "--fov", harness::kFovs_deg));
+    if (parallel_height) {
+        request.height_world = harness::checked_height(*parallel_height);
     } else {
-        request.height_world =
-            harness::checked_height(number_of(parallel_height, "--parallel", harness::kHeights));
+        request.fov_deg = harness::checked_fov_deg(fov_deg);
     }
 }
 
@@ -281,9 +271,9 @@ void add_camera(py::module_& module) {
         .def(py::init<const py::object&,
                       const py::object&,
                       const py::object&,
+                      double,
                       const py::object&,
-                      const py::object&,
-                      const py::object&>(),
+                      std::optional<double>>(),
              "Points are in the coordinates of the model's file; without a target it looks at the "
              "scene's centre. fov_deg is vertical, size width and height in px. With "
              "parallel_height it is a "

@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ struct Camera {
     Camera(const pybind11::object& eye,
            const pybind11::object& target,
            const pybind11::object& up,
-           const pybind11::object& fov_deg,
+           double fov_deg,
            const pybind11::object& size,
-           const pybind11::object& parallel_height);
+           std::optional<double> parallel_height);
 
     harness::CameraRequest request = {};
     experiment::ImageSize size_px;
