@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::UnorderedElementsAreArray;
 
-constexpr const char* kExperiment = R"(name = "tiny"
+constexpr const char* kOneCube = R"(name = "tiny"
 kind = "compare"
 [grid]
 scenes = ["cube"]
@@ -34,7 +34,7 @@ std::string scenes_that(const Desk& desk,
 
 TEST(SceneOption, AllSpellingsMeanTheSame) {
     const Desk desk;
-    desk.write("tiny.toml", kExperiment);
+    desk.write("tiny.toml", kOneCube);
     const Words plan = "run tiny.toml --dry-run";
     const std::string wanted = expect_done(desk, plan + "--scenes torus,gem");
     EXPECT_THAT(wanted, AllOf(HasSubstr("torus"), HasSubstr("gem")));
@@ -51,7 +51,7 @@ TEST(SceneOption, AllSpellingsMeanTheSame) {
 
 TEST(SceneOption, GroupsAndGlobsAreTheCataloguesScenes) {
     const Desk desk;
-    desk.write("tiny.toml", kExperiment);
+    desk.write("tiny.toml", kOneCube);
     const Words plan = "run tiny.toml --dry-run";
     const auto split = [](const char* name) {
         return [name](const nlohmann::json& scene) { return scene.at("split") == name; };
