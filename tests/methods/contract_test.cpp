@@ -98,7 +98,6 @@ TEST_P(Contract, LayersHaveTheSizeOfTheViewAndAreTheSameOnEveryThreadCount) {
         EXPECT_EQ(one[i].rgb.width_px(), 150);
         EXPECT_EQ(one[i].rgb.height_px(), 101);
         EXPECT_EQ(one[i].name, three[i].name);
-        EXPECT_EQ(one[i].note, three[i].note);
         EXPECT_EQ(one[i].rgb, three[i].rgb);
         EXPECT_FALSE(is_of_one_colour(one[i].rgb));
     }
