@@ -81,8 +81,7 @@ void MeshRun::add_scalar(const MeshJob& job, std::size_t index, bool hides_backs
     set_up_more(job.format, input, job.image(), scalar());
     SkipCount& count = count_of(skips_, Skip::no_sample);
     count.of += corners_.size();
-    if (job.input.skips.has(Skip::no_sample))
-        count.skipped += scalar().no_sample - no_sample;
+    if (job.input.skips.has(Skip::no_sample)) count.skipped += scalar().no_sample - no_sample;
     if (job.input.offset.is_any()) bias_scalar(job, from);
     if (hides_backs && !drops) silence_backs(input, from);
     // From here on by their index in the surface: that is what a tile's fill finds constants by.
