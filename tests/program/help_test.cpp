@@ -102,7 +102,7 @@ TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
     for (const auto& [command, options] : named)
         for (const std::string& option : options)
             EXPECT_THAT(expect_done({command, "--help"}), HasSubstr(option)) << command;
-    for (const std::string& command : Words("compare figures timedemo tune stress run merge"))
+    for (const std::string& command : Words("compare figures tune stress run merge"))
         EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-o,--out DIR")) << command;
     for (const std::string& command :
          Words("compare advise truth figures timedemo tune stress run"))

@@ -13,7 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* kInShares = R"(name = "tiny"
+constexpr const char* kSharedRun = R"(name = "tiny"
 kind = "compare"
 [grid]
 scenes = ["cube", "rocket", "letters"]
@@ -29,7 +29,7 @@ threshold = [3, 6, 12]
 
 TEST(Shares, StatusCountsBlocksOfTheRunAndOfEachShare) {
     const Desk desk;
-    desk.write("tiny.toml", kInShares);
+    desk.write("tiny.toml", kSharedRun);
     EXPECT_THAT(desk.run("run tiny.toml --status --out out").out,
                 HasSubstr("tiny: 0 of 6 blocks are done"));
     expect_done(desk, "run tiny.toml --shard 2/2 --out out.parts/2-of-2");
@@ -44,7 +44,7 @@ TEST(Shares, StatusCountsBlocksOfTheRunAndOfEachShare) {
 
 TEST(Shares, PartialTablesHoldWhatIsThereAndNothingElse) {
     const Desk desk;
-    desk.write("tiny.toml", kInShares);
+    desk.write("tiny.toml", kSharedRun);
     for (const char* share : {"1/2", "2/2"}) {
         const std::string folder = std::string("part") + share[0];
         expect_done(desk, fmt::format("run tiny.toml --shard {} --out {}", share, folder));

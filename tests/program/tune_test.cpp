@@ -62,7 +62,7 @@ TEST(TuneProgram, BadInputIsExplained) {
     expect_refused(desk, "tune mote5", "mote4");
     expect_all_refused(desk,
                        "tune mote4",
-                       {{"--objective speed", {"pooled | scenes | kinds | worst | even | ap"}},
+                       {{"--objective speed", {"pooled | scenes | kinds | worst | even"}},
                         {"--params range", "range_nx"},
                         {"--global luck", {"crs | direct"}},
                         {"--evaluations 0", "1..1000000"},
