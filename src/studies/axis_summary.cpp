@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <set>
 #include <tuple>
 
 #include "core/text_table.h"
@@ -56,14 +55,6 @@ const AxisPoint* first_of(const std::vector<AxisPoint>& points, Before before) {
     return found;
 }
 
-/// Axes with a score, or with a fault.
-std::set<std::string> axes_to_tell(const std::vector<AxisRow>& rows) {
-    std::set<std::string> axes;
-    for (const AxisRow& of : rows)
-        if (of.row.is_scored() || !of.faults.is_clean()) axes.insert(of.row.axis);
-    return axes;
-}
-
 /// A method's curve that loses most, and along which axis.
 struct Break {
     std::string method;
@@ -111,9 +102,7 @@ std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows) {
     using Key = std::tuple<std::string, double, std::string>;
     std::map<Key, std::vector<const AxisRow*>> groups;
     std::vector<Key> order;
-    const std::set<std::string> told = axes_to_tell(rows);
     for (const AxisRow& row : rows) {
-        if (!told.contains(row.row.axis)) continue;
         const Key key{row.row.axis, *row.row.value, row.row.method};
         auto& group = groups[key];
         if (group.empty()) order.push_back(key);

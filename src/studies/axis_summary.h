@@ -27,8 +27,8 @@ struct AxisPoint {
     [[nodiscard]] std::optional<double> error() const;
 };
 
-/// A point per axis, value and method, in the order of the rows, of the axes that have a score or a
-/// fault. Intervals are of the first row's seed.
+/// A point per axis, value and method, in the order of the rows. Intervals are of the first row's
+/// seed.
 [[nodiscard]] std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows);
 
 /// axis_summary.csv, with soft F if grey lines are scored.

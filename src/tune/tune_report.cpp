@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "methods/presets.h"
 #include "statistics/bootstrap.h"
@@ -17,21 +18,12 @@ std::string interval_text(const std::optional<statistics::Interval>& interval) {
     return interval ? fmt::format("[{:.4f}, {:.4f}]", 1 - interval->high, 1 - interval->low) : "-";
 }
 
-std::string_view objective_words(TuneObjective objective) {
-    switch (objective) {
-        case TuneObjective::pooled:
-            return "the error at 2 px";
-        case TuneObjective::scenes:
-            return "the scenes' errors at 2 px";
-        case TuneObjective::kinds:
-            return "the errors of kinds of scenes at 2 px";
-        case TuneObjective::worst:
-            return "the error of the worst kind of scenes at 2 px";
-        case TuneObjective::even:
-            return "the error less what is gained evenly at 2 px";
-    }
-    return "";
-}
+/// In the order of TuneObjective.
+constexpr std::array kObjectiveWords = {"the error at 2 px",
+                                        "the scenes' errors at 2 px",
+                                        "the errors of kinds of scenes at 2 px",
+                                        "the error of the worst kind of scenes at 2 px",
+                                        "the error less what is gained evenly at 2 px"};
 
 std::string error_line(const TunedSettings& each) {
     const double train = 1 - f_of(each.train), heldout = 1 - f_of(each.heldout);
@@ -183,7 +175,7 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
         "{}: {} evaluations of {} over {} views of {} training scenes, seed {}{}\n\n",
         options.config.info->name,
         result.steps.size(),
-        objective_words(options.objective),
+        kObjectiveWords.at(static_cast<std::size_t>(options.objective)),
         result.train_views,
         result.tuned.train.size(),
         options.plan.seed,

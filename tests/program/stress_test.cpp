@@ -29,6 +29,7 @@ TEST(Stress, WritesRowsSummaryAxesAndPage) {
         EXPECT_EQ(row.at("lost_cell"), "0");
         EXPECT_EQ(row.at("draw_ns"), "");
         if (row.at("axis") == "grazing") values.insert(row.at("value"));
+        EXPECT_EQ(row.at("threads"), row.at("axis") == "threads" ? row.at("value") : "1");
     }
     EXPECT_EQ(values, (std::set<std::string>{"0.1", "2", "20"}));
     EXPECT_EQ(parse_csv(desk.read("out/axis_summary.csv")).size(), 3U * 2 * 6);

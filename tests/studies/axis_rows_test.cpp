@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <set>
 
 #include "studies/axis_tables.h"
 #include "studies/stress/stress_axes.h"
@@ -136,26 +135,6 @@ TEST(StressRows, AnImageOfAnotherSizeIsLost) {
     ASSERT_EQ(rows.size(), 15U);
     EXPECT_EQ(rows[0].row.status, "failed: an image of 3 x 5 px");
     EXPECT_EQ(rows[0].faults.lost, 1);
-}
-
-TEST(StressThreads, DrawTheSameImages) {
-    const auto configs = methods::make_configs("decaudin,mote16,edge_hash", {});
-    std::vector<AxisRow> rows = rows_of("threads", 1, configs);
-    for (const double threads : {3, 8}) {
-        for (AxisRow& row : rows_of("threads", threads, configs))
-            rows.push_back(std::move(row));
-    }
-    note_differences(find_stress_axis("threads"), rows);
-    std::set<int> used;
-    std::map<std::string, std::set<std::string>> images;
-    for (const AxisRow& row : rows) {
-        used.insert(row.row.threads);
-        EXPECT_EQ(row.faults.differing, 0);
-        images[row.row.scene + row.row.method].insert(row.row.image_hash);
-    }
-    EXPECT_EQ(used, (std::set<int>{1, 3, 8}));
-    for (const auto& [cell, hash] : images)
-        EXPECT_EQ(hash.size(), 1U) << cell;
 }
 
 TEST(StressDifferences, AreToldWhereAnAxisAllowsNone) {

@@ -97,13 +97,6 @@ TEST(AxisCurves, KnowTheirBestAndWorstPoint) {
     EXPECT_NEAR(curves[2].loss(), 0.4, 1e-12);
 }
 
-TEST(AxisSummary, LeavesOutWhatHasNeitherScoreNorFault) {
-    auto rows = some_rows();
-    for (AxisRow& of : rows)
-        of.row.f_2px.reset();
-    EXPECT_TRUE(summarise_axes(rows).empty()) << "such as times";
-}
-
 TEST(StressFinding, NamesTheAxisThatBreaksEachMethod) {
     auto rows = some_rows();
     for (const int k : {80, 70}) {  // less than along the other axis
