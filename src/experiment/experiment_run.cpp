@@ -128,7 +128,8 @@ RunOutcome write_run(const BlockStore& store,
     return outcome;
 }
 
-/// What a shard leaves of itself: its finished blocks, and how many they are.
+/// What a run that has begun leaves of itself, and a shard: its finished blocks, and how many they
+/// are.
 RunOutcome write_shard(const BlockStore& store,
                        RunRecord record,
                        const std::vector<std::string>& missing) {
@@ -160,12 +161,7 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     }
     store.make_folder();
     BlockWork work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
-    {
-        RunRecord begun = mine;
-        begun.missing_blocks = work.missing_of_plan();
-        begun.blocks_done = begun.blocks - static_cast<int>(begun.missing_blocks.size());
-        write_record(begun, options.out);
-    }
+    (void)write_shard(store, mine, work.missing_of_plan());
     write_files(plan, options.out);
     options.say(work.heading(options.shard));
     const auto write_up = [&] {

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <iterator>
+#include <regex>
 #include <sstream>
 
 #include "core/error.h"
 #include "core/provenance.h"
 #include "core/toml_document.h"
 #include "core/whole_file.h"
+#include "experiment/diff/run_diff.h"
 
 namespace ink::experiment {
 namespace {
@@ -80,34 +80,17 @@ std::vector<ModelFacts> models_of(const toml::node_view<const toml::node>& node)
     return models;
 }
 
-/// The entries of a document: its lines, a list that takes several as one.
-std::vector<std::string> entries_of(const std::string& text) {
-    std::istringstream lines(text);
-    std::vector<std::string> entries;
-    bool is_open = false;
-    for (std::string line; std::getline(lines, line);) {
-        line.erase(0, line.find_first_not_of(' '));
-        if (is_open) {
-            entries.back() += (line.starts_with(']') ? "" : " ") + line;
-        } else {
-            entries.push_back(line);
-        }
-        const std::string& entry = entries.back();
-        is_open = entry.find("= [") != std::string::npos && !entry.ends_with(']');
-    }
-    return entries;
-}
-
-/// The first entry in which two documents differ, "there a, here b"; "" if none does.
+/// The first value that two runs were asked differently, "there a = 1, here a = 2"; "" if none is.
 std::string first_difference(const std::string& there, const std::string& mine) {
-    const std::vector<std::string> a = entries_of(there);
-    const std::vector<std::string> b = entries_of(mine);
-    const auto [of_a, of_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    if (of_a == a.end() && of_b == b.end()) return "";
-    const auto shown = [](const auto& entry, const auto& all) {
-        return entry == all.end() ? std::string("nothing") : *entry;
+    const std::vector<AskedChange> changes = asked_changes(there, mine);
+    if (changes.empty()) return "";
+    const auto& [key, of_there, of_mine] = changes.front();
+    const auto shown = [&](const std::string& value) {
+        if (value == "-") return std::string("nothing");
+        static const std::regex kLineBreak("\n *");  // of a long list
+        return fmt::format("{} = {}", key, std::regex_replace(value, kLineBreak, " "));
     };
-    return fmt::format("there {}, here {}", shown(of_a, a), shown(of_b, b));
+    return fmt::format("there {}, here {}", shown(of_there), shown(of_mine));
 }
 
 }  // namespace

@@ -39,8 +39,6 @@ class Searcher {
         return found.value;
     }
 
-    void look_at_start() { look("start", std::vector<double>(best_)); }
-
     /// Until `limit` evaluations are used, or the search ends by itself.
     void run(const char* phase, nlopt_algorithm algorithm, double step, int limit) {
         const auto n = static_cast<unsigned>(best_.size());
@@ -108,7 +106,7 @@ void search(const SearchObjective& objective,
             const std::vector<double>& start,
             const SearchPlan& plan) {
     Searcher searcher(objective, start, plan);
-    searcher.look_at_start();
+    searcher.look("start", start);
     const nlopt_algorithm global = plan.global == "direct" ? NLOPT_GN_DIRECT_L : NLOPT_GN_CRS2_LM;
     searcher.run("global", global, 0.25, static_cast<int>(kGlobalShare * plan.evaluations));
     for (const double step : kLocalSteps) {
