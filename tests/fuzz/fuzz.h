@@ -103,7 +103,6 @@ void expect_scene_or_error(const import::ImportReply& reply);
     TARGET(entrant_image)        \
     TARGET(entrant_times)        \
     TARGET(experiment)           \
-    TARGET(fbx)                  \
     TARGET(gltf)                 \
     TARGET(kept_truth)           \
     TARGET(matching)             \

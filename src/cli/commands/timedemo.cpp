@@ -18,7 +18,6 @@
 #include "experiment/options/view_rows.h"
 #include "harness/cells/skip_switches.h"
 #include "harness/images/out_folder.h"
-#include "import/rest_alone.h"
 #include "methods/method_configs.h"
 #include "studies/timedemo.h"
 
@@ -73,7 +72,6 @@ void run_timedemo(const TimedemoArgs& args) {
     }
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
-    import::check_motion_is_read(scene_views.scene, "timedemo");
     print_notes(scene_views);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const char* what_is_left = "nothing is written";
