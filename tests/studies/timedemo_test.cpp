@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <numeric>
 #include <set>
 
@@ -116,8 +118,12 @@ scene::Scene filmed_gear() {
     scene.cameras[0] = scene::look_at({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 0.6);
     scene.cameras[0].name = "rider";
     scene::Animation animation = *scene.animation;
-    constexpr std::uint32_t kWheel = 1;
-    animation.cameras = {{kWheel, kWheel, {3, 8, 0}, {0, 0, 0}, {1, 0, 0}}};
+    scene::AnimatedNode rider;
+    rider.parent = 1;  // the wheel
+    rider.parent_from_node =
+        glm::inverse(glm::lookAt(glm::dvec3(3, 8, 0), glm::dvec3(0), glm::dvec3(1, 0, 0)));
+    animation.node_of_camera = {static_cast<std::uint32_t>(animation.nodes.size())};
+    animation.nodes.push_back(rider);
     scene.animation = std::make_shared<const scene::Animation>(animation);
     return scene;
 }
