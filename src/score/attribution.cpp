@@ -58,42 +58,25 @@ class Square {
     Pixel middle_;
 };
 
-/// The truth pixels that the band took out of the comparison, by where they are.
-class BandTruth {
-  public:
-    BandTruth(const core::Image<std::uint8_t>& labels, const ScoreOptions& options)
-        : labels_(labels), options_(options), disk_(options.tolerance_px) {}
-
-    [[nodiscard]] bool is_near(Pixel pixel) const {
-        const int radius = disk_.radius_px();
-        for (int dy = -radius; dy <= radius; ++dy) {
-            const int half_width = disk_.half_width_px(dy);
-            for (int dx = -half_width; dx <= half_width; ++dx) {
-                if (was_taken_out({pixel.x_px + dx, pixel.y_px + dy})) return true;
-            }
-        }
-        return false;
+/// The pixels within the tolerance of true ones that the band took out of the comparison.
+edge::BitMask near_band_truth(const core::Image<std::uint8_t>& labels,
+                              const ScoreOptions& options) {
+    core::Image<std::uint8_t> inner = labels;
+    clear_band(inner, options.band_px);
+    edge::Mask taken_out(labels.width_px(), labels.height_px());
+    for (std::size_t i = 0; i < taken_out.size(); ++i) {
+        const int label = labels.data()[i];
+        const bool is_true = label != 0 && label != options.ignore_label;
+        taken_out.data()[i] = is_true && inner.data()[i] == 0 ? 1 : 0;
     }
+    return reach_of(PixelList(taken_out), Disk(options.tolerance_px));
+}
 
-  private:
-    [[nodiscard]] bool was_taken_out(Pixel p) const {
-        if (!labels_.contains(p.x_px, p.y_px)) return false;
-        const int depth_px = std::min(std::min(p.x_px, labels_.width_px() - 1 - p.x_px),
-                                      std::min(p.y_px, labels_.height_px() - 1 - p.y_px));
-        const int label = labels_.at(p.x_px, p.y_px);
-        return depth_px < options_.band_px && label != 0 && label != options_.ignore_label;
-    }
-
-    const core::Image<std::uint8_t>& labels_;
-    const ScoreOptions& options_;
-    Disk disk_;
-};
-
-Cause false_positive_cause(const TruthStencils& stencils, const BandTruth& band, Pixel pixel) {
+Cause false_positive_cause(const TruthStencils& stencils, const edge::BitMask& band, Pixel pixel) {
     const auto [x, y] = pixel;
     const bool has_neighbours = x > 0 && y > 0 && x < stencils.triangle.width_px() - 1 &&
                                 y < stencils.triangle.height_px() - 1;
-    if (!has_neighbours || band.is_near(pixel)) return Cause::frame;
+    if (!has_neighbours || band.is_set(x, y)) return Cause::frame;
     const Square square(stencils, pixel);
     if (square.is_uniform(stencils.triangle)) return Cause::one_triangle;
     if (square.has_crack()) return Cause::crack;
@@ -164,7 +147,7 @@ Attribution attribute(const WrongPixels& wrong,
         result.pixels.push_back({pixel, cause});
         ++result.counts[cause];
     };
-    const BandTruth band(stencils.labels, options);
+    const edge::BitMask band = near_band_truth(stencils.labels, options);
     for (const Pixel pixel : wrong.false_positives)
         add(pixel, false_positive_cause(stencils, band, pixel));
     for (std::size_t i = 0; i < wrong.false_negatives.size(); ++i) {

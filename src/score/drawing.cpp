@@ -9,20 +9,11 @@
 namespace ink::score {
 namespace {
 
-/// The true pixels of each label, from the list of all.
-std::vector<ClassPixels> classes_of(const PixelList& all, const ScoringTruth& truth) {
+std::vector<ClassPixels> classes_of(const ScoringTruth& truth) {
     std::vector<ClassPixels> classes;
     if (truth.is_binary) return classes;
-    std::vector<std::uint8_t> is_other(all.size());
-    for (const std::uint8_t label : truth.labels_in_use) {
-        for (int y = 0; y < all.height_px(); ++y) {
-            const std::uint8_t* row = truth.labels.row(y);
-            for (std::size_t i = all.row_begin(y); i < all.row_begin(y + 1); ++i)
-                is_other[i] = row[all.x(i)] != label;
-        }
-        classes.push_back({label, all});
-        classes.back().pixels.drop(is_other);
-    }
+    for (const std::uint8_t label : truth.labels_in_use)
+        classes.push_back({label, PixelList(truth.labels, label)});
     return classes;
 }
 
@@ -56,7 +47,7 @@ TruthLists list_truth(const ScoringTruth& truth, const ScoreOptions& options) {
     TruthLists lists{
         PixelList(truth.labels), PixelList(truth.ignore), Disk(options.tolerance_px), {}, {}};
     lists.countable = countable_pixels(lists.truth, lists.ignore, lists.disk, options.band_px);
-    lists.classes = classes_of(lists.truth, truth);
+    lists.classes = classes_of(truth);
     return lists;
 }
 

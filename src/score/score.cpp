@@ -16,15 +16,13 @@ namespace {
 
 /// Moves the ignore label from the labels to a mask of its own.
 edge::Mask take_out_ignore(core::Image<std::uint8_t>& labels, std::optional<int> ignore_label) {
-    edge::Mask ignore(labels.width_px(), labels.height_px());
-    if (!ignore_label) return ignore;
-    for (int y = 0; y < labels.height_px(); ++y) {
-        for (int x = 0; x < labels.width_px(); ++x) {
-            if (labels.at(x, y) != *ignore_label) continue;
-            labels.at(x, y) = 0;
-            ignore.at(x, y) = 1;
-        }
-    }
+    if (!ignore_label) return {labels.width_px(), labels.height_px()};
+    edge::Mask ignore = core::mapped<std::uint8_t>(
+        labels, [&](int label) { return static_cast<std::uint8_t>(label == *ignore_label); });
+    std::replace(labels.data(),
+                 labels.data() + labels.size(),
+                 static_cast<std::uint8_t>(*ignore_label),
+                 std::uint8_t{0});
     return ignore;
 }
 

@@ -43,10 +43,11 @@ SceneSums sums_by_scene(const Rows& rows, Measure measure) {
     return sums;
 }
 
-std::optional<double> macro_f(const std::vector<Counts>& scenes) {
+/// Of what `f_of` makes of each.
+template <class All, class F>
+std::optional<double> mean_f(const All& all, F f_of) {
     std::vector<double> values;
-    for (const Counts& scene : scenes)
-        values.push_back(scene.f());
+    std::ranges::transform(all, std::back_inserter(values), f_of);
     return statistics::mean(values);
 }
 
@@ -94,13 +95,6 @@ std::vector<KindSummary> kinds_of(const Rows& rows, Measure measure) {
     return kinds;
 }
 
-std::optional<double> mean_of_kinds(const std::vector<KindSummary>& kinds) {
-    std::vector<double> values;
-    for (const KindSummary& kind : kinds)
-        values.push_back(kind.f);
-    return kinds.size() < 2 ? std::nullopt : statistics::mean(values);
-}
-
 /// What either side has without a match.
 std::int64_t wrong(const Counts& counts) {
     return counts.n_pred + counts.n_truth - 2 * counts.k;
@@ -131,9 +125,9 @@ FSummary summarise_f(const Rows& rows, Measure measure) {
     summary.train = pooled(of_split(rows, "train"), measure);
     summary.heldout = pooled(of_split(rows, "heldout"), measure);
     summary.real = pooled(of_split(rows, "real"), measure);
-    summary.macro = macro_f(scenes.counts);
+    summary.macro = mean_f(scenes.counts, &Counts::f);
     summary.kinds = kinds_of(rows, measure);
-    summary.mean_of_kinds = mean_of_kinds(summary.kinds);
+    if (summary.kinds.size() > 1) summary.mean_of_kinds = mean_f(summary.kinds, &KindSummary::f);
     find_error_scene(scenes, summary);
     return summary;
 }

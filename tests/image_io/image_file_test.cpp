@@ -277,12 +277,13 @@ Bytes tiff_of(const Gray& image) {
 /// One image in every format whose pixels come behind what tells of them; writes into `folder`.
 std::map<std::string, Bytes> files_of(const Gray& image, const fs::path& folder) {
     std::map<std::string, Bytes> files = {{"a.tif", tiff_of(image)}};
-    for (const char* name : {"a.pgm", "a.jpg", "a.tga", "a.bmp", "a.hdr"}) {
+    const Colour colours = ink::core::mapped<Rgb>(image, [](std::uint8_t v) { return Rgb(v); });
+    for (const char* name : {"a.ppm", "a.jpg", "a.tga", "a.bmp", "a.hdr"}) {
         const std::string path = folder / name;
         const auto output = OIIO::ImageOutput::create(path);
-        const OIIO::ImageSpec spec(image.width_px(), image.height_px(), 1, OIIO::TypeDesc::UINT8);
+        const OIIO::ImageSpec spec(image.width_px(), image.height_px(), 3, OIIO::TypeDesc::UINT8);
         EXPECT_TRUE(output && output->open(path, spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, image.data()) && output->close())
+                    output->write_image(OIIO::TypeDesc::UINT8, colours.data()) && output->close())
             << name;
         files[name] = bytes_of(path);
     }

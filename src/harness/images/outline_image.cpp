@@ -23,9 +23,8 @@ constexpr double kMostLines = 0.25;
 
 /// Each pixel v as 255 - v: dark lines as edge responses.
 void invert(Gray& image) {
-    std::transform(image.data(), image.data() + image.size(), image.data(), [](int v) {
-        return static_cast<std::uint8_t>(255 - v);
-    });
+    image =
+        core::mapped<std::uint8_t>(image, [](int v) { return static_cast<std::uint8_t>(255 - v); });
 }
 
 /// Whether the pixels of `mask` are surfaces rather than lines: most have others 4 px away on all
@@ -82,12 +81,6 @@ void lay_over_ground(image_io::Picture& picture, Polarity polarity) {
     picture.notes.push_back(fmt::format("its alpha laid over {}", is_light ? "white" : "black"));
 }
 
-Gray gray_of(const Colours& colours, auto&& of_colour) {
-    Gray gray(colours.width_px(), colours.height_px());
-    std::transform(colours.data(), colours.data() + colours.size(), gray.data(), of_colour);
-    return gray;
-}
-
 /// The mean of the commonest colours: those in one cell of 8 x 8 x 8.
 glm::dvec3 commonest(const Colours& colours) {
     struct Cell {
@@ -112,7 +105,7 @@ Gray distances(const Colours& colours, const glm::dvec3& ground) {
     double farthest = 1;
     for (std::size_t i = 0; i < colours.size(); ++i)
         farthest = std::max(farthest, glm::distance(glm::dvec3(colours.data()[i]), ground));
-    return gray_of(colours, [&](const Rgb& rgb) {
+    return core::mapped<std::uint8_t>(colours, [&](const Rgb& rgb) {
         return static_cast<std::uint8_t>(255 * glm::distance(glm::dvec3(rgb), ground) / farthest +
                                          0.5);
     });
@@ -143,11 +136,11 @@ std::vector<ShownLines> shown_lines(const Colours& colours,
                                     const glm::dvec3& ground,
                                     const Gray& distance,
                                     bool may_be_distance) {
-    std::vector<ShownLines> shown = {{gray_of(colours, image_io::luma), ""}};
+    std::vector<ShownLines> shown = {{core::mapped<std::uint8_t>(colours, image_io::luma), ""}};
     constexpr std::array<const char*, 3> kChannels = {"red", "green", "blue"};
     for (int c = 0; c < 3; ++c) {
         shown.push_back(
-            {gray_of(colours, [c](const Rgb& rgb) { return rgb[c]; }),
+            {core::mapped<std::uint8_t>(colours, [c](const Rgb& rgb) { return rgb[c]; }),
              fmt::format("lines by the {} channel", kChannels[static_cast<std::size_t>(c)])});
     }
     if (may_be_distance) {
@@ -163,11 +156,8 @@ std::vector<ShownLines> shown_lines(const Colours& colours,
 
 /// The pixels that are farther from the ground's colour than half of the farthest.
 edge::Mask far_pixels(const Gray& distance) {
-    edge::Mask mask(distance.width_px(), distance.height_px());
-    std::transform(distance.data(), distance.data() + distance.size(), mask.data(), [](int v) {
-        return static_cast<std::uint8_t>(v >= 128);
-    });
-    return mask;
+    return core::mapped<std::uint8_t>(distance,
+                                      [](int v) { return static_cast<std::uint8_t>(v >= 128); });
 }
 
 /// Whether a mask is of lines on a ground.
@@ -219,9 +209,7 @@ void take_light(OutlineImage& outline) {
         light[v] = static_cast<std::uint8_t>(
             std::lround(255 * core::light_of(static_cast<double>(v) / 255)));
     Gray& values = outline.responses;
-    std::transform(values.data(), values.data() + values.size(), values.data(), [&](int v) {
-        return light[static_cast<std::size_t>(v)];
-    });
+    values = core::mapped<std::uint8_t>(values, [&](std::size_t v) { return light[v]; });
     outline.notes.push_back("its greys taken as light, as the file says");
 }
 
@@ -245,7 +233,7 @@ OutlineImage read_outline_image(const std::filesystem::path& path, Polarity pola
     OutlineImage outline;
     outline.notes = std::move(picture.notes);
     if (read_coloured_lines(picture.colour, polarity, outline)) return outline;
-    outline.responses = gray_of(picture.colour, image_io::luma);
+    outline.responses = core::mapped<std::uint8_t>(picture.colour, image_io::luma);
     if (is_of_light) take_light(outline);
     outline.is_inverted = polarity == Polarity::dark_on_light ||
                           (polarity == Polarity::automatic && has_dark_lines(outline.responses));
