@@ -1,6 +1,5 @@
 #include "image_io/image_file.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "core/error.h"
 #include "image_io/exr_file.h"
+#include "image_io/open_image_io.h"
 #include "image_io/picture_file.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
