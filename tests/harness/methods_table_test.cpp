@@ -81,10 +81,5 @@ TEST(MethodsTable, SaysWhichMethodsDrawInk) {
     EXPECT_THAT(lines.at(7), HasSubstr(",true,")) << "its samples averaged";
 }
 
-TEST(MethodsTable, HasALinePerConfigOfARun) {
-    const std::vector<method::MethodConfig> all = methods::make_configs("", {});
-    EXPECT_EQ(lines_of(methods_csv(all)).size(), 1 + 4 + all.size());
-}
-
 }  // namespace
 }  // namespace ink::harness

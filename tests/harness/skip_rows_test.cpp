@@ -2,12 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "harness/cells/cell.h"
 #include "harness/cells/skip_switches.h"
-#include "harness/rows/row_table.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/made_up_method.h"
 #include "tests/harness/random_rows.h"
@@ -71,24 +68,6 @@ TEST(DrawInTurns, AMethodThatFailedCountsNothing) {
     EXPECT_EQ(row.skips, std::nullopt);
     EXPECT_EQ(field(row, "skip_occlusion_culling"), "");
     EXPECT_EQ(field(row, "skip_occlusion_culling_of"), "");
-}
-
-TEST(RowTable, HasTwoColumnsForEverySkipWithTheirUnit) {
-    const auto& columns = rows_table().info().columns;
-    for (const raster::SkipInfo& info : raster::skip_infos()) {
-        const std::string name = "skip_" + std::string(info.name);
-        const auto has = [&](const std::string& column) {
-            return std::count_if(columns.begin(), columns.end(), [&](const core::Column& c) {
-                return c.name == column && c.unit == info.unit;
-            });
-        };
-        EXPECT_EQ(has(name), 1) << name;
-        EXPECT_EQ(has(name + "_of"), 1) << name;
-    }
-    Row baseline;
-    baseline.method = "oracle";
-    EXPECT_EQ(field(baseline, "skip_occlusion_culling"), "");
-    EXPECT_EQ(field(baseline, "skips_off"), "");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -18,7 +17,6 @@
 #include "image_io/picture_file.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
-#include "tests/score/oracle_files.h"
 
 namespace {
 
@@ -344,19 +342,6 @@ TEST_F(ImageFile, OfLayersAPictureIsTheFirstInColour) {
     EXPECT_THAT(picture.notes, testing::Contains("layer View.Combined of it"));
     write_exr({{{"id", ink::core::Image<std::uint32_t>(2, 2)}}, {}}, file("ids.exr"));
     EXPECT_THROW((void)read_picture(file("ids.exr")), ink::core::Error);
-}
-
-TEST_F(ImageFile, ReadsWhatTheOraclesOwnReaderReads) {
-    const Gray labels = read_gray(oracle_file("cases/classes.gt.png"));
-    EXPECT_EQ(labels.width_px(), 200);
-    EXPECT_EQ(labels.height_px(), 160);
-    std::array<int, 256> n_of{};
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        ++n_of[labels.data()[i]];
-    EXPECT_EQ(n_of[1], 228);
-    EXPECT_EQ(n_of[2], 151);
-    EXPECT_EQ(n_of[3], 61);
-    EXPECT_EQ(n_of[4], 181);
 }
 
 }  // namespace

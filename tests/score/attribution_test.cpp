@@ -210,20 +210,6 @@ TEST(Attribution, NothingWrongGivesNothing) {
     EXPECT_THAT(attribute({{}, {}, layers.nothing()}, layers.stencils(), {}, {}).pixels, IsEmpty());
 }
 
-TEST(Cause, TheTwoListsAreAllOfThem) {
-    int next = 0;
-    for (const Cause cause : kFalsePositiveCauses) {
-        EXPECT_EQ(static_cast<int>(cause), next++);
-        EXPECT_FALSE(is_miss(cause));
-    }
-    for (const Cause cause : kFalseNegativeCauses) {
-        EXPECT_EQ(static_cast<int>(cause), next++);
-        EXPECT_TRUE(is_miss(cause));
-    }
-    EXPECT_EQ(next, 11);
-    EXPECT_EQ(kCauseCount, 11U);
-}
-
 WrongPixels wrong_of(const Image& drawn, const ScoringTruth& truth, const ScoreOptions& options) {
     const Strokes strokes = make_strokes(drawn, options.threshold, options);
     const TruthLists lists = list_truth(truth, options);

@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "core/error.h"
 #include "score/coverage.h"
 #include "tests/score/curves.h"
 
@@ -138,17 +137,6 @@ TEST(SoftScore, LeavesOutTheBandAndWhatIsNearIgnoredPixels) {
     EXPECT_DOUBLE_EQ(score.true_px(), kCounted * 0.5);
     EXPECT_DOUBLE_EQ(score.drawn_px(), kCounted);
     EXPECT_DOUBLE_EQ(*score.f(), 2 * 0.5 / 1.5);
-}
-
-TEST(SoftScore, RefusesAnImageOfAnotherSize) {
-    const InkTruth truth = truth_of(Ink(kSize_px, kSize_px), within(2));
-    try {
-        (void)score_ink(Ink(5, 7), truth, within(2));
-        FAIL();
-    } catch (const ink::core::Error& error) {
-        EXPECT_NE(std::string(error.what()).find("5 x 7"), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find("32 x 32"), std::string::npos);
-    }
 }
 
 TEST(SoftScore, TakesStrengthsByTheirThresholdAndGreyAsItIs) {

@@ -3,35 +3,16 @@
 #include <gmock/gmock.h>
 
 #include <map>
-#include <sstream>
-#include <utility>
 
 namespace ink::summary {
 namespace {
 
-/// Lines of plain fields, split at commas.
-std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
-    std::vector<std::vector<std::string>> lines;
-    std::istringstream stream(csv);
-    for (std::string line; std::getline(stream, line);) {
-        lines.emplace_back();
-        std::string field;
-        for (const char c : line + ",") {
-            if (c == ',')
-                lines.back().push_back(std::exchange(field, ""));
-            else
-                field += c;
-        }
-    }
-    return lines;
-}
-
-/// The second line of the table, by its columns.
+/// Line `at` of the table, from 1, by its columns.
 std::map<std::string, std::string> line_of(const std::string& csv, std::size_t at) {
-    const auto lines = fields_of(csv);
+    const core::CsvTable table = core::split_csv(csv, "summary.csv");
     std::map<std::string, std::string> line;
-    for (std::size_t i = 0; i < lines.at(0).size(); ++i)
-        line[lines[0][i]] = lines.at(at).at(i);
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        line[table.columns[i]] = core::unquoted(table.records.at(at - 1).at(i));
     return line;
 }
 

@@ -45,11 +45,6 @@ glm::dvec3 turned(const glm::dvec3& p, UpAxis up) {
     return p;
 }
 
-SceneViews load_scene_views(const std::string& what, ViewRequest request) {
-    request.up = up_of(request, what);
-    return make_scene_views(load_scene(what, request.model, request.limits), request);
-}
-
 /// Cameras under the projections that are asked for.
 std::vector<scene::Camera> under_projections(const std::vector<scene::Camera>& cameras,
                                              const ViewRequest& request,
@@ -265,7 +260,10 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
     std::vector<SceneViews> scenes;
     std::set<std::string> taken;
     for (const std::string& name : all) {
-        SceneViews scene_views = load_scene_views(name, request);
+        ViewRequest own = request;
+        own.up = up_of(request, name);
+        SceneViews scene_views =
+            make_scene_views(load_scene(name, request.model, request.limits), own);
         say_what_is_listed(request.listed, name, scene_views.scene);
         const std::string base = scene_views.scene.name;
         for (int n = 2; !taken.insert(scene_views.scene.name).second; ++n) {
