@@ -116,11 +116,9 @@ class Baking {
         const BakeOptions all = options_of(after);
         if (!work.codes && !work.edges && is_glb(from) == is_glb(to)) {
             return {.bytes = std::string(import::text_of(edit_.document().bytes)),
-                    .lines = {"all of it is there already: nothing is changed"}};
+                    .lines = {"all of it is there already: nothing is changed"},
+                    .is_unchanged = true};
         }
-        if (before &&
-            ((work.codes && !before->codes.is_null()) || (work.edges && !before->edges.is_null())))
-            say("what was baked into it before stays, unused: the model itself, baked, is smaller");
         if (work.codes) {
             if (after.codes.contains("animation") && options.motions.empty())
                 throw core::Error("extras",
@@ -136,6 +134,9 @@ class Baking {
         write_mark(edit_.json(), after);
         std::vector<std::string> notes;
         file_.bytes = edit_.bytes_for(to, notes);
+        if (edit_.idle_bytes() > 0)
+            say("{:.1f} kB of it were vertices and indices, and nothing uses them now",
+                static_cast<double>(edit_.idle_bytes()) / 1e3);
         file_.lines.insert(file_.lines.end(), notes.begin(), notes.end());
         return std::move(file_);
     }
@@ -159,6 +160,8 @@ class Baking {
         std::size_t triangles = 0;
         for (const BakedPrimitive& primitive : primitives_.list)
             triangles += primitive.triangles.size();
+        file_.vertices = counts.vertices;
+        file_.added_vertices = counts.added;
         say("codes of {} on {}: {} to {} that there were",
             name(*options.codes),
             counted(triangles, "triangle", "triangles"),

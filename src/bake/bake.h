@@ -33,6 +33,9 @@ struct BakeOptions {
 struct BakedFile {
     std::string bytes;
     std::vector<std::string> lines;  ///< what was done, a sentence each
+    bool is_unchanged = false;       ///< all that was asked for was there already
+    std::size_t vertices = 0;        ///< of what was given codes, before
+    std::size_t added_vertices = 0;
 };
 
 /// The glTF file at `from`, which `model` was imported from, with what the options ask for, made of

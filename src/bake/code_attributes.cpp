@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "bake/flat_codes.h"
 #include "core/disjoint_sets.h"
@@ -19,22 +20,33 @@ using Group = std::vector<BakedPrimitive*>;
 constexpr std::size_t kWord_bytes = 4;  // at a multiple of which every vertex begins
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125;
 
-/// Takes away what an earlier run wrote, _INK and what lies on the same bytes; throws if another
-/// program did.
-void clear_own(GltfEdit& edit, const BakedPrimitive& primitive, bool is_ours) {
-    const import::GltfPrimitive& source = primitive.source;
-    if (!source.has(kInk)) return;
-    if (!is_ours)
-        throw core::Error(primitive.place(),
-                          primitive.place() + ": it has an attribute _INK of its own",
-                          "a model without, or one that inkbench has baked");
+/// The attributes that an earlier run wrote: _INK and what lies on the same bytes.
+std::set<std::string> own_attributes(const GltfEdit& edit, const BakedPrimitive& primitive) {
+    std::set<std::string> own;
+    if (!primitive.source.has(kInk)) return own;
     const auto& accessors = edit.document().accessors;
-    const import::JsonObject& ink = accessors[source.accessor(kInk)];
+    const import::JsonObject& ink = accessors[primitive.source.accessor(kInk)];
+    own.insert(kInk);
+    for (int n = 0; n < 3; ++n) {
+        const std::string name = fmt::format("TEXCOORD_{}", n);
+        if (primitive.source.has(name.c_str()) &&
+            ink.is_same("bufferView", accessors[primitive.source.accessor(name.c_str())]))
+            own.insert(name);
+    }
+    return own;
+}
+
+/// Takes away what an earlier run wrote; throws if another program did.
+void clear_own(GltfEdit& edit, const BakedPrimitive& primitive, bool is_ours) {
     Json& attributes = primitive.json(edit)["attributes"];
-    for (const char* name : {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2"})
-        if (source.has(name) && ink.is_same("bufferView", accessors[source.accessor(name)]))
-            attributes.erase(name);
-    attributes.erase(kInk);
+    for (const std::string& name : own_attributes(edit, primitive)) {
+        if (!is_ours) {
+            throw core::Error(primitive.place(),
+                              primitive.place() + ": it has an attribute _INK of its own",
+                              "a model without, or one that inkbench has baked");
+        }
+        attributes.erase(name);
+    }
 }
 
 /// Primitives that share a vertex attribute: what one splits, all do.
@@ -107,7 +119,16 @@ class Splitter {
     Splitter(GltfEdit& edit, const Group& group, const std::vector<std::uint32_t>& source_vertex)
         : edit_(edit),
           source_vertex_(source_vertex),
-          vertices_before_(group[0]->source.vertices()) {}
+          vertices_before_(group[0]->source.vertices()) {
+        for (const BakedPrimitive* primitive : group) {
+            for (const auto& [name, accessor] : primitive->json(edit)["attributes"].items())
+                ++uses_[primitive->source.accessor(name.c_str())];
+            const auto targets = primitive->source.json().list("targets", "target");
+            for (std::size_t t = 0; t < targets.size(); ++t)
+                for (const auto& [name, accessor] : primitive->json(edit)["targets"][t].items())
+                    ++uses_[targets[t].index(name.c_str(), edit.accessors().size())];
+        }
+    }
 
     void split(const BakedPrimitive& primitive) {
         Json& json = primitive.json(edit_);
@@ -169,10 +190,11 @@ class Splitter {
         accessor["bufferView"] = view;
         accessor["count"] = source_vertex_.size();
         if (!is_in_buffer) set_bounds(components, edit_.accessors().width(from), accessor);
-        return edit_.add_accessor(std::move(accessor));
+        return edit_.replace_accessor(from, uses_.at(from), std::move(accessor));
     }
 
     GltfEdit& edit_;
+    std::map<std::size_t, std::size_t> uses_;  ///< of accessors, in the group
     const std::vector<std::uint32_t>& source_vertex_;
     std::size_t vertices_before_;
     std::map<std::size_t, std::size_t> known_;
@@ -212,11 +234,13 @@ void write_indices(GltfEdit& edit, const BakedPrimitive& primitive) {
         : type == kUnsignedShort ? bytes_of<std::uint16_t>(primitive.triangles)
                                  : bytes_of<std::uint32_t>(primitive.triangles);
     Json& json = primitive.json(edit);
-    json["indices"] =
-        edit.add_accessor({{"bufferView", edit.add_view(bytes, 0, GltfEdit::Use::indices)},
-                           {"componentType", type},
-                           {"count", 3 * primitive.triangles.size()},
-                           {"type", "SCALAR"}});
+    Json accessor = {{"bufferView", edit.add_view(bytes, 0, GltfEdit::Use::indices)},
+                     {"componentType", type},
+                     {"count", 3 * primitive.triangles.size()},
+                     {"type", "SCALAR"}};
+    const auto old = source.find_index("indices", edit.accessors().size());
+    json["indices"] = old ? edit.replace_accessor(*old, 1, std::move(accessor))
+                          : edit.add_accessor(std::move(accessor));
     if (json.contains("mode")) json["mode"] = 4;
 }
 
@@ -268,15 +292,25 @@ void bake_group(GltfEdit& edit,
 
     Splitter splitter(edit, group, flat.source_vertex);
     std::span<const std::uint32_t> indices(flat.indices);
-    auto turn = flat.turns.begin();
     for (BakedPrimitive* primitive : group) {
         if (is_draco || flat.added_count(before) > 0) splitter.split(*primitive);
         const std::size_t count = 3 * primitive->triangles.size();
         Json& json = primitive->json(edit);
         const bool is_strip = !is_draco && json.value("mode", 4) != 4;
-        primitive->turns.assign(turn, turn + static_cast<std::ptrdiff_t>(count / 3));
-        turn += static_cast<std::ptrdiff_t>(count / 3);
-        if (take_triangles(*primitive, indices.first(count)) || is_draco || is_strip)
+        const auto own = indices.first(count);
+        for (std::size_t t = 0; t < primitive->triangles.size(); ++t) {
+            // The first corner's old vertex says how the triangle was turned.
+            const auto& old = primitive->triangles[t];
+            for (std::uint8_t turn = 0; turn < 3; ++turn) {
+                bool is_it = true;
+                for (std::size_t i = 0; i < 3; ++i)
+                    is_it &= old[(i + turn) % 3] == flat.source_vertex[own[3 * t + i]];
+                if (!is_it) continue;
+                primitive->turns[t] = turn;
+                break;
+            }
+        }
+        if (take_triangles(*primitive, own) || is_draco || is_strip)
             write_indices(edit, *primitive);
         indices = indices.subspan(count);
         counts.unstripped += is_strip;

@@ -186,7 +186,6 @@ FlatCodes flat_codes(std::span<const std::uint32_t> indices,
     Dropping(needs).run();
 
     FlatCodes flat{.indices = std::vector(indices.begin(), indices.end()),
-                   .turns = {},
                    .source_vertex = std::vector<std::uint32_t>(vertex_count),
                    .codes = std::vector<std::uint64_t>(vertex_count, 0)};
     std::iota(flat.source_vertex.begin(), flat.source_vertex.end(), 0U);
@@ -216,9 +215,7 @@ FlatCodes flat_codes(std::span<const std::uint32_t> indices,
             else
                 corners[i] = vertex;
         }
-        const int turn = (without + 2) % 3;
-        std::rotate(corners, corners + turn, corners + 3);
-        flat.turns.push_back(static_cast<std::uint8_t>(turn));
+        std::rotate(corners, corners + (without + 2) % 3, corners + 3);
     }
     return flat;
 }

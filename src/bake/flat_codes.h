@@ -11,8 +11,6 @@ namespace ink::bake {
 struct FlatCodes {
     /// 3 a triangle, in the order of the input's; corners may be rotated, so the winding stays.
     std::vector<std::uint32_t> indices;
-    /// Per triangle by how many corners it was turned: its corner i was corner (i + turn) % 3.
-    std::vector<std::uint8_t> turns;
     /// Per vertex the vertex of the input that it copies: first every one of these itself.
     std::vector<std::uint32_t> source_vertex;
     /// Per vertex; 0 where no triangle needs one.

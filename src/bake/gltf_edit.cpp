@@ -6,6 +6,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -71,6 +72,9 @@ GltfEdit::GltfEdit(import::GltfDocument document)
     constexpr std::size_t kNewKeys = 8;
     auto& root = json_.get_ref<Json::object_t&>();
     root.reserve(root.size() + kNewKeys);
+    may_reuse_ = knows_all_references(json_) && !document_.buffers.empty();
+    if (may_reuse_) used_before_ = used_bytes(json_, 0, 0);
+    uses_ = accessor_uses(json_);
 }
 
 std::size_t GltfEdit::add_view(std::span<const std::byte> bytes,
@@ -93,6 +97,12 @@ void GltfEdit::replace_view(std::size_t view, std::span<const std::byte> bytes) 
 std::size_t GltfEdit::add_accessor(Json accessor) {
     json_["accessors"].push_back(std::move(accessor));
     return json_["accessors"].size() - 1;
+}
+
+std::size_t GltfEdit::replace_accessor(std::size_t old, std::size_t uses, Json accessor) {
+    if (!may_reuse_ || uses_[old] != uses) return add_accessor(std::move(accessor));
+    json_["accessors"][old] = std::move(accessor);
+    return old;
 }
 
 void GltfEdit::use_extension(const char* name) {
@@ -150,21 +160,56 @@ void GltfEdit::drop_fallback_buffers() {
             number_of[document_.buffer_views[v].index("buffer", number_of.size())];
 }
 
+/// What the first buffer had in use and has no more.
+std::vector<ByteRange> GltfEdit::free_bytes(std::size_t size) const {
+    if (!may_reuse_ || kept_buffers_.empty() || kept_buffers_[0] != 0) return {};
+    std::set<std::size_t> left_out;
+    for (const Added& added : added_)
+        for (const auto& [view, offset] : added.views)
+            left_out.insert(view);
+    std::vector<ByteRange> free;
+    for (ByteRange range : without(used_before_, used_bytes(json_, 0, size, left_out))) {
+        range.first = (range.first + 3) / 4 * 4;
+        range.end = std::min(range.end, size);
+        if (range.first < range.end) free.push_back(range);
+    }
+    return free;
+}
+
 std::string GltfEdit::filled(std::size_t buffer) {
     Json& buffers = json_["buffers"];
     std::string bytes;
-    if (buffer < kept_buffers_.size())
+    std::vector<ByteRange> free;
+    if (buffer < kept_buffers_.size()) {
         bytes = chars_of(buffers_.buffer(kept_buffers_[buffer]));
-    else
+        if (buffer == 0) free = free_bytes(bytes.size());
+    } else {
         buffers.push_back(Json::object());
+    }
+    // The longest first: they find room most rarely.
+    std::ranges::stable_sort(
+        added_, [](const Added& a, const Added& b) { return a.bytes.size() > b.bytes.size(); });
     for (const Added& added : added_) {
-        fill_to_word(bytes);
+        const auto room = std::ranges::find_if(free, [&](const ByteRange& range) {
+            return range.end - range.first >= added.bytes.size();
+        });
+        std::size_t start = 0;
+        if (room != free.end() && !added.bytes.empty()) {
+            start = room->first;
+            bytes.replace(start, added.bytes.size(), added.bytes);
+            room->first = std::min((start + added.bytes.size() + 3) / 4 * 4, room->end);
+        } else {
+            fill_to_word(bytes);
+            start = bytes.size();
+            bytes += added.bytes;
+        }
         for (const auto& [view, offset] : added.views) {
             json_["bufferViews"][view]["buffer"] = buffer;
-            json_["bufferViews"][view]["byteOffset"] = bytes.size() + offset;
+            json_["bufferViews"][view]["byteOffset"] = start + offset;
         }
-        bytes += added.bytes;
     }
+    for (const ByteRange& range : free)
+        idle_bytes_ += range.end - range.first;
     buffers[buffer]["byteLength"] = bytes.size();
     return bytes;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/used_bytes.h"
 #include "import/gltf/accessors.h"
 #include "import/gltf/buffers.h"
 #include "import/gltf/document.h"
@@ -16,7 +17,7 @@ namespace ink::bake {
 using Json = nlohmann::ordered_json;
 
 /// A glTF file that is added to: its JSON as the user has it, every key in its place, and bytes
-/// that go behind those of its buffer. What nothing names any more stays.
+/// that go where nothing uses those of its buffer any more, else behind them.
 ///
 /// What is read comes from the document as it was, checked; what is changed is the copy in json().
 class GltfEdit {
@@ -39,6 +40,10 @@ class GltfEdit {
     void replace_view(std::size_t view, std::span<const std::byte> bytes);
     /// Adds an accessor; returns its number.
     std::size_t add_accessor(Json accessor);
+    /// The same in place of an old one that was used so many times, if nothing else uses it.
+    std::size_t replace_accessor(std::size_t old, std::size_t uses, Json accessor);
+    /// Bytes of the file that bytes_for() made that nothing uses any more.
+    [[nodiscard]] std::size_t idle_bytes() const { return idle_bytes_; }
 
     /// Adds a name to extensionsUsed, never to extensionsRequired.
     void use_extension(const char* name);
@@ -62,6 +67,7 @@ class GltfEdit {
         std::vector<std::pair<std::size_t, std::size_t>> views;
     };
 
+    [[nodiscard]] std::vector<ByteRange> free_bytes(std::size_t size) const;
     void drop_fallback_buffers();
     void hold_buffers();
     void hold_images(std::vector<std::string>& notes);
@@ -69,8 +75,8 @@ class GltfEdit {
     [[nodiscard]] std::string glb_for(const std::filesystem::path& path,
                                       std::vector<std::string>& notes);
     [[nodiscard]] std::string gltf_for();
-    /// The bytes of the buffer that is added to, and behind them what was added. `buffer` is its
-    /// number.
+    /// The bytes of the buffer that is added to, and what was added: where nothing uses its bytes
+    /// any more, then behind it. `buffer` is its number.
     [[nodiscard]] std::string filled(std::size_t buffer);
 
     import::GltfDocument document_;
@@ -79,6 +85,10 @@ class GltfEdit {
     Json json_;
     std::vector<std::size_t> kept_buffers_;  ///< of the document, one for each in json_
     std::vector<Added> added_;
+    bool may_reuse_ = false;              ///< old bytes and accessors that nothing uses
+    std::vector<ByteRange> used_before_;  ///< of the first buffer
+    std::vector<std::size_t> uses_;       ///< of the document's accessors
+    std::size_t idle_bytes_ = 0;
 };
 
 }  // namespace ink::bake

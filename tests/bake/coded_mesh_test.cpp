@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "buffers/id_pass.h"
 #include "catalogue/catalogue.h"
 #include "methods/registry.h"
+#include "scene/surface.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::bake {
@@ -85,10 +87,26 @@ TEST(CodedMesh, HasItsVerticesInAPose) {
     }
 }
 
-TEST(CodedMesh, HasUnitNormalsAVertexForEachSide) {
+TEST(CodedMesh, KeepsTrianglesTheirWindingAndUnitNormals) {
     const scene::Scene scene = scene::scene_of({scene::unit_cube()});
     const CodedMesh mesh = coded_mesh(scene);
+    const scene::Surface surface = scene::flatten(scene);
+    ASSERT_EQ(mesh.triangle_count(), 12U);
     EXPECT_EQ(mesh.vertex_count(), 24U + mesh.added_count);  // four corners a side
+    for (std::size_t t = 0; t < 12; ++t) {
+        std::array<glm::vec3, 3> before{};
+        std::array<glm::vec3, 3> after{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            before[i] = surface.p_world[surface.triangles[t][i]];
+            after[i] = mesh.p_world[mesh.indices[3 * t + i]];
+        }
+        bool is_rotated = false;
+        for (int turn = 0; turn < 3; ++turn) {
+            is_rotated |= before == after;
+            std::rotate(after.begin(), after.begin() + 1, after.end());
+        }
+        EXPECT_TRUE(is_rotated) << t;
+    }
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_NEAR(glm::length(mesh.n_world[v]), 1, 1e-6);
         // Over all three sides at a corner: along the diagonal of the cube.

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "methods/surface_codes/baked_codes.h"
-#include "tests/scene/small_meshes.h"
+#include "scene/scene.h"
 
 namespace ink::bake {
 namespace {
@@ -24,8 +24,17 @@ std::vector<int> numbers_of(const std::vector<std::byte>& bytes) {
 }
 
 scene::Scene scene_of(const std::vector<glm::vec3>& positions,
-                      const std::vector<scene::Triangle>& triangles) {
-    return scene::scene_of(scene::Mesh{"mesh", positions, {}, triangles, {}});
+                      const std::vector<scene::Triangle>& triangles,
+                      const glm::dmat4& world_from_object = glm::dmat4(1)) {
+    scene::Scene scene;
+    scene.name = "made";
+    scene.meshes.push_back({.name = "mesh",
+                            .positions = positions,
+                            .normals = {},
+                            .triangles = triangles,
+                            .materials = {}});
+    scene.instances.push_back({0, world_from_object, "object"});
+    return scene;
 }
 
 SceneEdges edges_of(const scene::Scene& scene) {
@@ -72,8 +81,23 @@ TEST(EdgeVisibility, TakesTwoBitsAnEdge) {
                   (6 * triangles + 7) / 8);
 }
 
+const std::vector<glm::vec3> kCubeCorners{
+    {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+const std::vector<scene::Triangle> kCubeTriangles{{0, 2, 1},
+                                                  {0, 3, 2},
+                                                  {4, 5, 6},
+                                                  {4, 6, 7},
+                                                  {0, 1, 5},
+                                                  {0, 5, 4},
+                                                  {1, 2, 6},
+                                                  {1, 6, 5},
+                                                  {2, 3, 7},
+                                                  {2, 7, 6},
+                                                  {3, 0, 4},
+                                                  {3, 4, 7}};
+
 TEST(EdgeKinds, ACubeHasTwelveHardEdgesAndHiddenDiagonals) {
-    const auto values = values_of(scene::scene_of(scene::unit_cube()));
+    const auto values = values_of(scene_of(kCubeCorners, kCubeTriangles));
     EXPECT_EQ(count(values, kHard), 12);
     EXPECT_EQ(count(values, kHardAgain), 12);
     EXPECT_EQ(count(values, kSilhouette), 0);
@@ -82,23 +106,30 @@ TEST(EdgeKinds, ACubeHasTwelveHardEdgesAndHiddenDiagonals) {
 
 TEST(EdgeKinds, ASplitCubeIsTheSame) {
     // As exporters have it: no vertex shared, welded by place.
-    EXPECT_EQ(values_of(scene::scene_of(scene::exploded(scene::unit_cube()))),
-              values_of(scene::scene_of(scene::unit_cube())));
+    std::vector<glm::vec3> positions;
+    std::vector<scene::Triangle> triangles;
+    for (const scene::Triangle& triangle : kCubeTriangles) {
+        const auto first = static_cast<std::uint32_t>(positions.size());
+        for (const std::uint32_t v : triangle)
+            positions.push_back(kCubeCorners[v]);
+        triangles.push_back({first, first + 1, first + 2});
+    }
+    EXPECT_EQ(values_of(scene_of(positions, triangles)),
+              values_of(scene_of(kCubeCorners, kCubeTriangles)));
 }
 
 TEST(EdgeKinds, AMirroredCubeHasTheSameEdges) {
-    scene::Scene mirrored = scene::scene_of(scene::unit_cube());
-    mirrored.instances[0].world_from_object[0][0] = -1;
-    EXPECT_EQ(values_of(mirrored), values_of(scene::scene_of(scene::unit_cube())));
+    glm::dmat4 mirror(1);
+    mirror[0][0] = -1;
+    EXPECT_EQ(values_of(scene_of(kCubeCorners, kCubeTriangles, mirror)),
+              values_of(scene_of(kCubeCorners, kCubeTriangles)));
 }
 
 TEST(EdgeKinds, DoubledFacesRepeatTheirEdges) {
-    scene::Mesh cube = scene::unit_cube();
-    for (std::size_t t = 0; t < 12; ++t) {
-        const auto [a, b, c] = cube.triangles[t];
-        cube.triangles.push_back({c, b, a});
-    }
-    const auto values = values_of(scene::scene_of(cube));
+    std::vector<scene::Triangle> triangles = kCubeTriangles;
+    for (const auto& [a, b, c] : kCubeTriangles)
+        triangles.push_back({c, b, a});
+    const auto values = values_of(scene_of(kCubeCorners, triangles));
     EXPECT_EQ(count(values, kHard), 12);
     EXPECT_EQ(count(values, kHardAgain), 36);
 }
