@@ -122,17 +122,46 @@ bool is_shown(const Fact& fact) {
     return fact.is_flag || (fact.value != 0 && !is_detail);
 }
 
-}  // namespace
-
-Explanation explain(const scene::Scene& scene,
-                    const method::MethodConfig& config,
-                    double crease_deg) {
-    const auto statistics = scene::make_scene_statistics(scene, glm::radians(crease_deg));
-    harness::PreparedMethod prepared(config, scene);
+MethodExplanation explain_method(const method::MethodConfig& config,
+                                 const harness::SceneViews& scene_views) {
+    harness::PreparedMethod prepared(config, scene_views.scene);
     if (!prepared.failure().empty()) {
         throw core::Error(config.info->name, prepared.failure(), "a scene that it can prepare");
     }
-    return {scene.name, facts_of(statistics), config.info->name, prepared.method().plan()};
+    if (!scene_views.views.empty()) {
+        const scene::View& view = scene_views.views.front();
+        edge::EdgeImage image(view.width_px, view.height_px);
+        prepared.method().draw({view}, image);
+    }
+    return {config.info->name, prepared.method().skip_counts(), prepared.method().plan()};
+}
+
+std::string text_of(const MethodExplanation& method) {
+    std::string text = fmt::format("\n{}: what it left undone in the first view\n", method.method);
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        const auto& [skipped, of] = method.skips[static_cast<std::size_t>(info.skip)];
+        if (skipped == 0) continue;
+        text += fmt::format(
+            "  {:<20} {:>7} of {:>7} {:<9} {}\n", info.name, skipped, of, info.unit, info.summary);
+    }
+    if (method.plan.empty()) return text;
+    text += fmt::format("{}: what it chose, and why\n", method.method);
+    for (const method::PlanLine& line : method.plan)
+        text += fmt::format("  {}: {}\n", line.what, line.why);
+    return text;
+}
+
+}  // namespace
+
+Explanation explain(const harness::SceneViews& scene_views,
+                    const std::vector<method::MethodConfig>& configs,
+                    double crease_deg) {
+    const scene::Scene& scene = scene_views.scene;
+    Explanation explanation{
+        scene.name, facts_of(scene::make_scene_statistics(scene, glm::radians(crease_deg))), {}};
+    for (const method::MethodConfig& config : configs)
+        explanation.methods.push_back(explain_method(config, scene_views));
+    return explanation;
 }
 
 std::string as_text(const Explanation& explanation) {
@@ -142,9 +171,8 @@ std::string as_text(const Explanation& explanation) {
         text += fmt::format(
             "  {:<20} {:>12} {:<10} {}\n", fact.name, value_of(fact), fact.unit, fact.doc);
     }
-    text += fmt::format("\n{}: what it chose, and why\n", explanation.method);
-    for (const method::PlanLine& line : explanation.plan)
-        text += fmt::format("  {}: {}\n", line.what, line.why);
+    for (const MethodExplanation& method : explanation.methods)
+        text += text_of(method);
     return text;
 }
 

@@ -16,6 +16,8 @@ using testing::HasSubstr;
 TEST(Explain, PrintsTheSceneStatisticsAndWhatAutoChose) {
     EXPECT_THAT(expect_done(Desk(), "explain cube"),
                 AllOf(HasSubstr("creases"), HasSubstr("auto: what it chose, and why")));
+    EXPECT_THAT(expect_done(Desk(), "explain cube --methods mote4"),
+                HasSubstr("mote4: what it left undone in the first view"));
 }
 
 TEST(Explain, FitsAScreen) {
@@ -23,7 +25,7 @@ TEST(Explain, FitsAScreen) {
     const auto lines = [&](const Words& words) {
         return std::ranges::count(expect_done(desk, "explain" + words), '\n');
     };
-    for (const char* scene : {"torus", "letters", "bush", "cube"})
+    for (const char* scene : {"torus", "letters", "bush", "cube --methods mote4,auto"})
         EXPECT_LE(lines(scene), 40) << scene;
 }
 
@@ -35,7 +37,8 @@ TEST(Explain, JsonHoldsTheSame) {
     EXPECT_EQ(json.at("statistics").at("crease_proposal"), 40);  // nothing is curved
     EXPECT_EQ(json.at("statistics").at("may_cross"), false);
     EXPECT_EQ(json.at("place").at("cameras").size(), 3U);
-    EXPECT_FALSE(json.at("plan").empty());
+    EXPECT_FALSE(json.at("methods").at("auto").at("plan").empty());
+    EXPECT_EQ(json.at("methods").at("auto").at("skips").size(), 8U);
 }
 
 TEST(Explain, ShowsTheCamerasThatFramingMakes) {
