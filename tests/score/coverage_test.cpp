@@ -108,6 +108,21 @@ TEST(Coverage, OfALineHasRoundEnds) {
     EXPECT_NEAR(total(coverage), 1.5 * length + std::numbers::pi * 0.75 * 0.75, 5e-3);
 }
 
+TEST(Coverage, OfUprightCrossingStrokesIsTheirUnion) {
+    const double cx = 6.37, cy = 6.82, half = 0.75;
+    const Coverage coverage =
+        draw_coverage({{curve(cx, -20, cx, 40), curve(-20, cy, 40, cy)}}, 13, 13, 2 * half);
+    const auto overlap = [half](double centre, int at) {
+        return std::max(0.0, std::min(centre + half, at + 1.0) - std::max(centre - half, 1.0 * at));
+    };
+    for (int y = 0; y < 13; ++y) {
+        for (int x = 0; x < 13; ++x) {
+            const double u = overlap(cx, x), v = overlap(cy, y);
+            ASSERT_NEAR(coverage.at(x, y), u + v - u * v, 1e-3) << x << " " << y;
+        }
+    }
+}
+
 TEST(Coverage, OfCrossingStrokesCountsTheirRhombusOnce) {
     for (const double degrees : {90.0, 45.0, 20.0}) {
         for (const double width : {0.5, 1.5, 4.0}) {

@@ -12,6 +12,24 @@ using ink::score::ScoreOptions;
 
 using Curve = std::array<CurveCount, 99>;
 
+TEST(Curve, EqualsAScoreAtEachThreshold) {
+    std::mt19937 random(31);
+    const Image drawn = random_image(135, 50, 0.3, 255, random);
+    const Image labels = random_image(135, 50, 0.1, 7, random);
+    const ScoreOptions options{.tolerance_px = 2, .band_px = 3, .ignore_label = 7};
+    const auto truth = prepare_truth(labels, options, false);
+    const Curve curve = ink::score::score_curve(drawn, truth, options);
+    for (int k = 1; k <= 99; ++k) {
+        ScoreOptions at_k = options;
+        at_k.threshold = ink::edge::response_at_percent(k);
+        const auto s = ink::score::score(drawn, truth, at_k);
+        const CurveCount& c = curve[static_cast<std::size_t>(k - 1)];
+        ASSERT_EQ(c.k, s.k) << k;
+        ASSERT_EQ(c.n_pred, s.n_pred) << k;
+        ASSERT_EQ(c.n_truth, s.n_truth) << k;
+    }
+}
+
 /// n triples of `with`, the rest of `without`.
 Curve two_level_curve(std::size_t n, CurveCount with, CurveCount without) {
     Curve curve;

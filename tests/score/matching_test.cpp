@@ -25,8 +25,63 @@ using ink::score::PlainMatching;
 using ink::score::reach_of;
 using ink::score::within_reach;
 
+using Points = std::vector<std::pair<int, int>>;
+
+Points points_of(const Image& image) {
+    Points points;
+    for (int y = 0; y < image.height_px(); ++y) {
+        for (int x = 0; x < image.width_px(); ++x) {
+            if (image.at(x, y) != 0) points.emplace_back(x, y);
+        }
+    }
+    return points;
+}
+
+int square_distance(std::pair<int, int> a, std::pair<int, int> b) {
+    const int dx = a.first - b.first;
+    const int dy = a.second - b.second;
+    return dx * dx + dy * dy;
+}
+
+/// The best over every way to match left points from `i` on: tries them all.
+int best_by_trying(
+    const Points& left, const Points& right, std::size_t i, int limit, unsigned used) {
+    if (i == left.size()) return 0;
+    int best = best_by_trying(left, right, i + 1, limit, used);
+    for (std::size_t j = 0; j < right.size(); ++j) {
+        if ((used >> j & 1U) != 0 || square_distance(left[i], right[j]) > limit) continue;
+        best = std::max(best, 1 + best_by_trying(left, right, i + 1, limit, used | 1U << j));
+    }
+    return best;
+}
+
+std::int64_t reached_by_trying(const Points& from, const Points& to, int limit) {
+    return std::count_if(from.begin(), from.end(), [&](auto a) {
+        return std::any_of(
+            to.begin(), to.end(), [&](auto b) { return square_distance(a, b) <= limit; });
+    });
+}
+
 MatchCounts match(const Image& left, const Image& right, double tolerance_px) {
     return match_pixels(PixelList(left), PixelList(right), Disk(tolerance_px));
+}
+
+TEST(Matching, EqualsTryingEverythingOnSmallSets) {
+    std::mt19937 random(11);
+    const std::array limits = {1, 2, 4, 9};
+    for (int i = 0; i < 400; ++i) {
+        const Image a = random_image(5, 4, 0.25, 255, random);
+        const Image b = random_image(5, 4, 0.30, 255, random);
+        const Points left = points_of(a);
+        const Points right = points_of(b);
+        const int limit = limits[static_cast<std::size_t>(i) % limits.size()];
+        const MatchCounts counts = match(a, b, std::sqrt(limit));
+        const int k = best_by_trying(left, right, 0, limit, 0);
+        ASSERT_EQ(counts.k, k) << "pair " << i;
+        ASSERT_EQ(PlainMatching(PixelList(a), PixelList(b), Disk(std::sqrt(limit))).size(), k);
+        ASSERT_EQ(counts.left_reached, reached_by_trying(left, right, limit)) << "pair " << i;
+        ASSERT_EQ(counts.right_reached, reached_by_trying(right, left, limit)) << "pair " << i;
+    }
 }
 
 TEST(Matching, EqualsThePlainMatcherOnLargerSets) {
@@ -66,6 +121,24 @@ TEST(Matching, TakesALongChainWhole) {
         right.at(x + 1, 0) = 1;
     }
     EXPECT_EQ(match(left, right, 1).k, 500);
+}
+
+TEST(Matching, IsTheSameFromBothSidesAndTransposed) {
+    std::mt19937 random(12);
+    for (int i = 0; i < 60; ++i) {
+        const Image a = random_image(40, 30, 0.05 + 0.01 * i, 255, random);
+        const Image b = random_image(40, 30, 0.20, 255, random);
+        for (const double tolerance_px : {1.0, 1.5, 2.0, 3.0}) {
+            const MatchCounts there = match(a, b, tolerance_px);
+            const MatchCounts back = match(b, a, tolerance_px);
+            const MatchCounts turned = match(transposed(a), transposed(b), tolerance_px);
+            ASSERT_EQ(there.k, back.k);
+            ASSERT_EQ(there.left_reached, back.right_reached);
+            ASSERT_EQ(there.right_reached, back.left_reached);
+            ASSERT_EQ(there.k, turned.k);
+            ASSERT_EQ(there.left_reached, turned.left_reached);
+        }
+    }
 }
 
 TEST(Matching, OfNothingIsNothing) {

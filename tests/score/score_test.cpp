@@ -170,6 +170,68 @@ TEST(PrepareTruth, TakesIgnoreOutBeforeItThins) {
     EXPECT_EQ(truth.ignore, image_of({"......", "......", "111111", "......"}));
 }
 
+TEST(PrepareTruth, RethinnedScoresExactlyOneAgainstItself) {
+    std::mt19937 random(21);
+    for (int i = 0; i < 100; ++i) {
+        const Image labels = random_image(60, 40, (i % 10 + 0.5) / 10, 7, random);
+        const ScoreOptions options{
+            .tolerance_px = 1.0 + i % 3, .band_px = i % 7, .ignore_label = 7};
+        const ScoringTruth truth = prepare_truth(labels, options, true);
+        Image drawn = truth.labels;
+        for (std::size_t p = 0; p < drawn.size(); ++p)
+            drawn.data()[p] = drawn.data()[p] != 0 ? 255 : 0;
+        const Score s = ink::score::score(drawn, truth, options);
+        ASSERT_EQ(s.k, s.n_truth) << "truth " << i;
+        ASSERT_EQ(s.k, s.n_pred) << "truth " << i;
+        ASSERT_EQ(s.f(), 1.0) << "truth " << i;
+    }
+}
+
+TEST(ScoreLaws, EveryPixelIsCountedOnceAndATighterToleranceNeverGainsOne) {
+    std::mt19937 random(22);
+    for (int i = 0; i < 60; ++i) {
+        const Image drawn = random_image(50, 40, 0.02 * (1 + i % 12), 255, random);
+        const Image labels = random_image(50, 40, 0.10, 4, random);
+        std::int64_t k_before = 0;
+        for (const double tolerance_px : {1.0, 1.5, 2.0, 3.0, 4.0}) {
+            const Score s =
+                score_of(drawn, labels, {.tolerance_px = tolerance_px, .threshold = 100});
+            ASSERT_EQ(s.n_pred, s.k + s.unmatched_duplicates + s.false_positives);
+            ASSERT_EQ(s.n_truth, s.k + s.unmatched_truth + s.false_negatives);
+            for (const std::int64_t n : counts_of(s))
+                ASSERT_GE(n, 0);
+            ASSERT_GE(s.k, k_before);
+            k_before = s.k;
+            std::int64_t n_of_classes = 0;
+            for (const auto& c : s.classes) {
+                ASSERT_LE(c.k, c.n_truth);
+                n_of_classes += c.n_truth;
+            }
+            ASSERT_EQ(n_of_classes, s.n_truth);
+        }
+    }
+}
+
+TEST(ScoreLaws, UnthinnedItIsSymmetricAndBlindToTransposition) {
+    std::mt19937 random(23);
+    for (int i = 0; i < 60; ++i) {
+        const Image a = random_image(50, 30, 0.15, 1, random);
+        const Image b = random_image(50, 30, 0.05 + 0.005 * i, 1, random);
+        const ScoreOptions options{.threshold = 1, .thin = false};
+        const Score there = score_of(a, b, options);
+        const Score back = score_of(b, a, options);
+        const Counts swapped = {back.k,
+                                back.n_truth,
+                                back.n_pred,
+                                back.unmatched_truth,
+                                back.false_negatives,
+                                back.unmatched_duplicates,
+                                back.false_positives};
+        ASSERT_EQ(counts_of(there), swapped);
+        ASSERT_EQ(counts_of(there), counts_of(score_of(transposed(a), transposed(b), options)));
+    }
+}
+
 TEST(Degenerate, EmptyImagesGiveFullOrNoScoreAndNoNumberWhereThereIsNone) {
     const Image empty(12, 9);
     const Image line = image_of({"............",
