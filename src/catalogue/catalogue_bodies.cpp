@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "catalogue/cage.h"
-#include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"
 
 // Smooth bodies of one piece whose limbs pass in front of them. A tube of four corners shrinks to

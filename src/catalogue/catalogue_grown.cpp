@@ -1,5 +1,4 @@
 
-#include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"
 #include "catalogue/shapes.h"
 

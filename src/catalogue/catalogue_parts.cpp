@@ -2,7 +2,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"
 #include "catalogue/shapes.h"
 

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"
 #include "catalogue/shapes.h"
 

@@ -1,4 +1,3 @@
-#include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"
 #include "catalogue/shapes.h"
 

@@ -3,7 +3,6 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"
 #include "catalogue/shapes.h"
 #include "scene/animation.h"
