@@ -42,59 +42,33 @@ buffers::EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule e
 }  // namespace
 
 std::shared_ptr<const ListedModels::List> ListedModels::build(
-    const std::vector<Corner>& corners,
-    const std::vector<glm::dvec3>& points,
-    const std::vector<scene::Triangle>& triangles) const {
-    const buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
+    const std::vector<glm::dvec3>& points, const std::vector<scene::Triangle>& triangles) const {
+    buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
     List list;
     list.faces = buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
     check_size(builder_, list.faces.size());
     list.edges = list_edges(list.faces, builder_).edges;
-    for (const std::uint32_t vertex : weld.first_of)
-        list.places.push_back(corners[vertex]);
+    list.vertices = std::move(weld.first_of);
     return std::make_shared<const List>(std::move(list));
 }
 
-/// A list per mesh: one that is used twice is listed once.
-ListedModels::Lists ListedModels::build_objects(const scene::Scene& scene) const {
+/// A list per mesh, so that one that is used twice is listed once; or one of all.
+ListedModels::Lists ListedModels::build_all(const scene::PreparedScene& scene) const {
+    if (scope_ == EdgeScope::scene) {
+        const auto surface = scene.surface();
+        return {build(surface->p_world, surface->triangles)};
+    }
     Lists lists;
-    for (const scene::Mesh& mesh : scene.meshes) {
-        std::vector<Corner> corners(mesh.positions.size());
-        for (std::uint32_t v = 0; v < corners.size(); ++v)
-            corners[v].vertex = v;
-        const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
-        lists.push_back(build(corners, points, mesh.triangles));
-    }
+    for (const scene::Mesh& mesh : scene->meshes)
+        lists.push_back(build({mesh.positions.begin(), mesh.positions.end()}, mesh.triangles));
     return lists;
-}
-
-ListedModels::Lists ListedModels::build_scene(const scene::Scene& scene) const {
-    std::vector<Corner> corners;
-    std::vector<glm::dvec3> points;
-    std::vector<scene::Triangle> triangles;
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-        const scene::Instance& instance = scene.instances[i];
-        const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        const auto first = static_cast<std::uint32_t>(points.size());
-        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-            corners.push_back({i, v});
-            points.push_back(scene::to_world(instance, mesh.positions[v]));
-        }
-        const bool is_mirrored = scene::is_mirrored(instance);
-        for (const scene::Triangle& t : mesh.triangles) {
-            scene::Triangle corner{first + t[0], first + t[1], first + t[2]};
-            if (is_mirrored) std::swap(corner[1], corner[2]);
-            triangles.push_back(corner);
-        }
-    }
-    return {build(corners, points, triangles)};
 }
 
 void ListedModels::prepare(const scene::PreparedScene& scene) {
     const bool is_by_object = scope_ == EdgeScope::object;
     const auto lists = scene.get(
         fmt::format("edge lists {} {}", static_cast<int>(builder_), static_cast<int>(scope_)),
-        [&] { return is_by_object ? build_objects(scene) : build_scene(scene); });
+        [&] { return build_all(scene); });
     listed_hash_ = scene.hash();
     placed_.clear();
     for (std::uint32_t i = 0; i < (is_by_object ? scene->instances.size() : 1); ++i) {
@@ -103,14 +77,15 @@ void ListedModels::prepare(const scene::PreparedScene& scene) {
     }
 }
 
-void ListedModels::place(Placed& placed, const scene::Scene& scene) const {
+void ListedModels::place(Placed& placed, const scene::PreparedScene& scene) const {
     const List& list = *placed.list;
+    const auto surface = scope_ == EdgeScope::scene ? scene.surface() : nullptr;
+    const scene::Instance* instance = surface ? nullptr : &scene->instances[placed.instance];
     placed.p_world.clear();
-    for (const Corner& corner : list.places) {
-        const std::uint32_t i = scope_ == EdgeScope::object ? placed.instance : corner.instance;
-        const scene::Instance& instance = scene.instances[i];
-        const glm::vec3& p_object = scene.meshes[instance.mesh].positions[corner.vertex];
-        placed.p_world.push_back(scene::to_world(instance, p_object));
+    for (const std::uint32_t v : list.vertices) {
+        placed.p_world.push_back(
+            surface ? surface->p_world[v]
+                    : scene::to_world(*instance, scene->meshes[instance->mesh].positions[v]));
     }
     placed.normals.clear();
     for (const scene::Triangle& face : list.faces) {

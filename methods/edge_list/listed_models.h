@@ -48,13 +48,8 @@ class ListedModels {
                                                         EdgeOnRule edge_on) const;
 
   private:
-    /// A vertex of the scene.
-    struct Corner {
-        std::uint32_t instance = 0;
-        std::uint32_t vertex = 0;
-    };
     struct List {
-        std::vector<Corner> places;
+        std::vector<std::uint32_t> vertices;  ///< per place one of the mesh's, or of the surface's
         std::vector<scene::Triangle> faces;
         std::vector<ListedEdge> edges;
     };
@@ -69,12 +64,9 @@ class ListedModels {
 
     using Lists = std::vector<std::shared_ptr<const List>>;
     [[nodiscard]] std::shared_ptr<const List> build(
-        const std::vector<Corner>& corners,
-        const std::vector<glm::dvec3>& points,
-        const std::vector<scene::Triangle>& triangles) const;
-    [[nodiscard]] Lists build_objects(const scene::Scene& scene) const;
-    [[nodiscard]] Lists build_scene(const scene::Scene& scene) const;
-    void place(Placed& placed, const scene::Scene& scene) const;
+        const std::vector<glm::dvec3>& points, const std::vector<scene::Triangle>& triangles) const;
+    [[nodiscard]] Lists build_all(const scene::PreparedScene& scene) const;
+    void place(Placed& placed, const scene::PreparedScene& scene) const;
     static void append_lines(const Placed& placed,
                              const std::vector<std::int8_t>& facings,
                              EdgeOnRule edge_on,
