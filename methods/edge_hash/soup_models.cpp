@@ -8,6 +8,7 @@
 
 #include "core/hash.h"
 #include "scene/predicates.h"
+#include "scene/surface.h"
 
 namespace ink::methods {
 namespace {
@@ -127,32 +128,16 @@ void SoupModels::pose_objects(const scene::PreparedScene& scene) {
     }
 }
 
-void SoupModels::pose_scene(const scene::PreparedScene& scene) {
-    std::vector<glm::dvec3> points;
-    std::vector<scene::Triangle> triangles;
-    for (const scene::Instance& instance : scene->instances) {
-        const scene::Mesh& mesh = scene->meshes[instance.mesh];
-        const auto first = static_cast<std::uint32_t>(points.size());
-        for (const glm::vec3& p_object : mesh.positions)
-            points.push_back(scene::to_world(instance, p_object));
-        for (const scene::Triangle& t : mesh.triangles)
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
+void SoupModels::pose(const scene::PreparedScene& scene) {
+    if (options_.scope == ModelScope::object) return pose_objects(scene);
+    const auto surface = scene.surface();
     placed_.resize(1);
     Placed& placed = placed_[0];
-    placed.soup = cache_.edges_of(0, {points, triangles}, scene);
+    placed.soup = cache_.edges_of(0, {surface->p_world, surface->triangles}, scene);
     placed.p_world.clear();
     for (const std::uint32_t vertex : placed.soup->vertex_of)
-        placed.p_world.push_back(points[vertex]);
+        placed.p_world.push_back(surface->p_world[vertex]);
     find_creases(placed);
-}
-
-void SoupModels::pose(const scene::PreparedScene& scene) {
-    if (options_.scope == ModelScope::object) {
-        pose_objects(scene);
-    } else {
-        pose_scene(scene);
-    }
 }
 
 buffers::EdgeKind SoupModels::kind_of(const Placed& placed,

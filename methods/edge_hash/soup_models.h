@@ -97,7 +97,6 @@ class SoupModels {
     };
 
     void pose_objects(const scene::PreparedScene& scene);
-    void pose_scene(const scene::PreparedScene& scene);
     void find_creases(Placed& placed) const;
     [[nodiscard]] bool bends(const Placed& placed,
                              const SoupEdge& edge,
