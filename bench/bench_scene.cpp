@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <utility>
 
+#include "catalogue/shapes.h"
 #include "import/import.h"
 
 namespace ink::bench {
@@ -16,44 +16,13 @@ std::filesystem::path model_path(const std::string& name) {
     return std::filesystem::path(INK_MODELS_DIR) / name;
 }
 
-/// Rings of quads, each cut in two, poles included: 2 * segments * (rings - 1) triangles.
-scene::Scene make_sphere(int rings, int segments) {
-    scene::Mesh mesh;
-    mesh.name = "sphere";
-    mesh.positions.push_back({0, 1, 0});
-    for (int ring = 1; ring < rings; ++ring) {
-        const double down = std::numbers::pi * ring / rings;
-        for (int segment = 0; segment < segments; ++segment) {
-            const double turn = 2 * std::numbers::pi * segment / segments;
-            mesh.positions.push_back(
-                {std::sin(down) * std::sin(turn), std::cos(down), std::sin(down) * std::cos(turn)});
-        }
-    }
-    mesh.positions.push_back({0, -1, 0});
-    const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
-    const auto at = [&](int ring, int segment) {
-        return static_cast<std::uint32_t>(1 + (ring - 1) * segments + segment % segments);
-    };
-    for (int segment = 0; segment < segments; ++segment) {
-        mesh.triangles.push_back({0, at(1, segment), at(1, segment + 1)});
-        for (int ring = 1; ring + 1 < rings; ++ring) {
-            mesh.triangles.push_back(
-                {at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1)});
-            mesh.triangles.push_back(
-                {at(ring, segment), at(ring + 1, segment + 1), at(ring, segment + 1)});
-        }
-        mesh.triangles.push_back({at(rings - 1, segment), last, at(rings - 1, segment + 1)});
-    }
+scene::Scene make_scene(const std::string& name) {
+    if (name != "sphere") return import::import_scene(model_path(name + ".ply"));
     scene::Scene scene;
-    scene.name = mesh.name;
-    scene.meshes.push_back(std::move(mesh));
+    scene.name = name;
+    scene.meshes.push_back(catalogue::make_sphere(1, 266, 131));
     scene.instances.push_back({});
     return scene;
-}
-
-scene::Scene make_scene(const std::string& name) {
-    if (name == "sphere") return make_sphere(131, 266);
-    return import::import_scene(model_path(name + ".ply"));
 }
 
 }  // namespace

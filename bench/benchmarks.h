@@ -18,7 +18,7 @@ namespace ink::bench {
 ///
 /// Takes the last of the cores that the process was given, and for the workers the last that is not
 /// the same core's other hardware thread; threads made later inherit from the one that makes them.
-/// Where that cannot be had (one core only, a refusal, not Linux) it says so on stderr and goes on.
+/// Where that cannot be had (one core only, a refusal) it says so on stderr and goes on.
 void pin_to_cores();
 
 void add_filter_benchmarks();

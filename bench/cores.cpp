@@ -1,7 +1,5 @@
-#ifdef __linux__
 #include <sched.h>
 #include <unistd.h>
-#endif
 
 #include <atomic>
 #include <cerrno>
@@ -18,7 +16,6 @@
 
 namespace ink::bench {
 
-#ifdef __linux__
 namespace {
 
 constexpr const char* kName = "ink_bench";
@@ -102,13 +99,5 @@ void pin_to_cores() {
     if (first < 0 || !pin(0, first))
         std::fprintf(stderr, "%s: not pinned to a core: %s\n", kName, std::strerror(errno));
 }
-
-#else
-
-void pin_to_cores() {
-    std::fprintf(stderr, "ink_bench: not pinned to a core: only done on Linux\n");
-}
-
-#endif
 
 }  // namespace ink::bench
