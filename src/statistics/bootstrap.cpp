@@ -7,18 +7,6 @@
 #include "statistics/simultaneous.h"
 
 namespace ink::statistics {
-namespace {
-
-std::optional<Interval> interval_of(const std::vector<score::CurveCount>& a,
-                                    const std::vector<score::CurveCount>& b,
-                                    const BootstrapOptions& options) {
-    PairedCounts pair{a, b, std::vector<std::size_t>(a.size())};
-    std::iota(pair.cluster.begin(), pair.cluster.end(), std::size_t{0});
-    return paired_intervals({&pair, 1}, a.size(), options).front().own;
-}
-
-}  // namespace
-
 std::vector<std::vector<double>> drawings_of(std::size_t clusters,
                                              const BootstrapOptions& options) {
     // The engine's sequence is fixed by the standard; its distributions are not, hence the modulo.
@@ -38,13 +26,15 @@ int known_coverage_percent(int clusters) {
 
 std::optional<Interval> f_interval(const std::vector<score::CurveCount>& clusters,
                                    const BootstrapOptions& options) {
-    return interval_of(clusters, {}, options);
+    return paired_interval(clusters, {}, options);
 }
 
 std::optional<Interval> paired_interval(const std::vector<score::CurveCount>& a,
                                         const std::vector<score::CurveCount>& b,
                                         const BootstrapOptions& options) {
-    return interval_of(a, b, options);
+    PairedCounts pair{a, b, std::vector<std::size_t>(a.size())};
+    std::iota(pair.cluster.begin(), pair.cluster.end(), std::size_t{0});
+    return paired_intervals({&pair, 1}, a.size(), options).front().own;
 }
 
 }  // namespace ink::statistics
