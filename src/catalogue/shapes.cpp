@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
@@ -15,11 +16,6 @@ namespace ink::catalogue {
 namespace {
 
 constexpr double kTau = 2 * std::numbers::pi;
-
-double snapped_number(double x) {
-    constexpr double kGrid = 1 << 20;
-    return std::round(x * kGrid) / kGrid + 0.0;  // + 0.0 turns -0 into 0
-}
 
 std::uint32_t add(scene::Mesh& mesh, const glm::dvec3& p) {
     mesh.positions.emplace_back(snapped(p));
@@ -102,7 +98,8 @@ std::vector<scene::Triangle> icosahedron_triangles(const std::vector<glm::dvec3>
 }  // namespace
 
 glm::dvec3 snapped(const glm::dvec3& p) {
-    return {snapped_number(p.x), snapped_number(p.y), snapped_number(p.z)};
+    constexpr double kGrid = 1 << 20;
+    return glm::round(p * kGrid) / kGrid + 0.0;  // + 0.0 turns -0 into 0
 }
 
 void append(scene::Mesh& whole, const scene::Mesh& part) {

@@ -1,30 +1,20 @@
 #include "core/escape.h"
 
+#include <map>
+
 namespace ink::core {
 
 std::string escape(std::string_view text) {
+    static const std::map<char, std::string_view> kEntities = {
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
     std::string safe;
     for (const char c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                const auto code = static_cast<unsigned char>(c);
-                const bool is_control = (code < 0x20 && c != '\t' && c != '\n') || code == 0x7f;
-                if (!is_control) safe += c;
+        const auto code = static_cast<unsigned char>(c);
+        const bool is_control = (code < 0x20 && c != '\t' && c != '\n') || code == 0x7f;
+        if (const auto entity = kEntities.find(c); entity != kEntities.end()) {
+            safe += entity->second;
+        } else if (!is_control) {
+            safe += c;
         }
     }
     return safe;

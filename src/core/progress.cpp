@@ -59,26 +59,15 @@ void Progress::report(int done, const std::string& what) {
     const double elapsed_s = std::chrono::duration<double>(now - start_).count();
     const std::string left =
         done > 0 ? fmt::format(", {} left", rough_time(elapsed_s / done * (total_ - done))) : "";
-    if (display_.is_terminal) {
-        draw_line(done, left, what.substr(0, kMostChars));
-    } else {
-        write_line(done, left, what);
-    }
+    is_drawn_ = display_.is_terminal;
+    const std::string line =
+        is_drawn_
+            ? fmt::format(
+                  "\r\033[K{} {}/{}{}  {}", label_, done, total_, left, what.substr(0, kMostChars))
+            : fmt::format(
+                  "{}: {}/{}{}{}{}\n", label_, done, total_, left, what.empty() ? "" : ", ", what);
+    std::fputs(line.c_str(), display_.stream);  // a log that is full ends no work
     std::fflush(display_.stream);
-}
-
-void Progress::draw_line(int done, const std::string& left, const std::string& what) {
-    is_drawn_ = true;
-    print(fmt::format("\r\033[K{} {}/{}{}  {}", label_, done, total_, left, what));
-}
-
-void Progress::write_line(int done, const std::string& left, const std::string& what) {
-    const char* comma = what.empty() ? "" : ", ";
-    print(fmt::format("{}: {}/{}{}{}{}\n", label_, done, total_, left, comma, what));
-}
-
-void Progress::print(const std::string& text) {
-    std::fputs(text.c_str(), display_.stream);  // a log that is full ends no work
 }
 
 }  // namespace ink::core

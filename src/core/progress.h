@@ -46,10 +46,6 @@ class Progress {
     void report(int done, const std::string& what);
 
   private:
-    void draw_line(int done, const std::string& left, const std::string& what);
-    void write_line(int done, const std::string& left, const std::string& what);
-    void print(const std::string& text);
-
     std::string label_;
     int total_;
     ProgressDisplay& display_;
