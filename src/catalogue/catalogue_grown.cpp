@@ -151,7 +151,7 @@ scene::Scene make_bush_scene() {
                                  {{reach, .55, 0}, .005}};
         const std::vector<TubeNode> path = smoothed(twig, 6);
         const glm::dmat4 at = placed({{0, 0.1 + 0.9 * share, 0}, {0, 137.508 * i, 18 * share}});
-        stage.place(stage.mesh("twig", make_tube(path, 8)), "twig", at);
+        stage.add_at(at, "twig", make_tube(path, 8));
         int k = i;
         for (std::size_t node = 5; node < path.size(); node += 2) {
             for (const double side : {-1.0, 1.0}) {

@@ -47,36 +47,37 @@ void add_table(Stage& stage) {
 
 void add_chair(Stage& stage, const Pose& pose) {
     const glm::dmat4 world_from_chair = placed(pose);
-    const auto put = [&](const char* name, const glm::dvec3& low, const glm::dvec3& high) {
-        stage.place(stage.mesh(name, make_box(low, high)), name, world_from_chair);
-    };
-    put("seat", {-0.23, 0.44, -0.23}, {0.23, 0.48, 0.23});
-    put("back", {-0.2, 0.7, 0.205}, {0.2, 1, 0.225});
+    stage.add_at(world_from_chair, "seat", make_box({-0.23, 0.44, -0.23}, {0.23, 0.48, 0.23}));
+    stage.add_at(world_from_chair, "back", make_box({-0.2, 0.7, 0.205}, {0.2, 1, 0.225}));
     for (const double x : {-0.21, 0.21}) {
-        put("chair_leg", {x - 0.018, 0.0078125, -0.22}, {x + 0.018, 0.46, -0.184});
-        put("chair_post", {x - 0.018, 0.0078125, 0.194}, {x + 0.018, 1.02, 0.229});
+        stage.add_at(world_from_chair,
+                     "chair_leg",
+                     make_box({x - 0.018, 0.0078125, -0.22}, {x + 0.018, 0.46, -0.184}));
+        stage.add_at(world_from_chair,
+                     "chair_post",
+                     make_box({x - 0.018, 0.0078125, 0.194}, {x + 0.018, 1.02, 0.229}));
     }
 }
 
 /// Against the right wall: a back, four boards between two sides, books on each board.
 void add_bookcase(Stage& stage) {
     const auto world_from_case = placed({{2.25, 0.0078125, 1.25}, {0, -90, 0}});
-    const auto put = [&](const char* name, const glm::dvec3& low, const glm::dvec3& high) {
-        stage.place(stage.mesh(name, make_box(low, high)), name, world_from_case);
-    };
-    put("case_back", {-0.58, 0.02, -0.23}, {0.58, 1.88, -0.22});
-    put("case_side", {-0.62, 0, -0.24}, {-0.59, 1.9, 0.08});
-    put("case_side", {0.59, 0, -0.24}, {0.62, 1.9, 0.08});
+    stage.add_at(world_from_case, "case_back", make_box({-0.58, 0.02, -0.23}, {0.58, 1.88, -0.22}));
+    stage.add_at(world_from_case, "case_side", make_box({-0.62, 0, -0.24}, {-0.59, 1.9, 0.08}));
+    stage.add_at(world_from_case, "case_side", make_box({0.59, 0, -0.24}, {0.62, 1.9, 0.08}));
     for (int board = 0; board < 5; ++board) {
         const double y = 0.08 + 0.44 * board;
-        put("case_board", {-0.6, y, -0.21}, {0.6, y + 0.025, 0.07});
+        stage.add_at(
+            world_from_case, "case_board", make_box({-0.6, y, -0.21}, {0.6, y + 0.025, 0.07}));
         double x = -0.56;
         for (int i = 0; i < 9 && board < 4; ++i) {
             const int kind = (5 * i + 7 * board) % 4;
             const double height = 0.25 + 0.035 * kind;
             const double width = 0.06 + 0.02 * ((i + board) % 3);
             const double depth = 0.02 * ((2 * i + board) % 3);
-            put("book", {x, y + 0.03, -0.2}, {x + width, y + 0.03 + height, depth});
+            stage.add_at(world_from_case,
+                         "book",
+                         make_box({x, y + 0.03, -0.2}, {x + width, y + 0.03 + height, depth}));
             x += width + 0.012 + (kind == 3 ? 0.09 : 0.0);
         }
     }

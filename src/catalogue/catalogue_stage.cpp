@@ -54,9 +54,9 @@ void Stage::place(std::uint32_t mesh, std::string name, const Pose& pose) {
     place(mesh, std::move(name), placed(pose));
 }
 
-void Stage::add(std::string name, scene::Mesh mesh, const Pose& pose) {
+void Stage::add_at(const glm::dmat4& world_from_object, std::string name, scene::Mesh mesh) {
     const auto number = this->mesh(name, std::move(mesh));
-    place(number, std::move(name), pose);
+    place(number, std::move(name), world_from_object);
 }
 
 void Stage::view(const Shot& shot) {

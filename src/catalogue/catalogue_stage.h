@@ -44,7 +44,10 @@ class Stage {
     void place(std::uint32_t mesh, std::string name, const glm::dmat4& world_from_object);
     void place(std::uint32_t mesh, std::string name, const Pose& pose = {});
     /// A mesh that is placed once.
-    void add(std::string name, scene::Mesh mesh, const Pose& pose = {});
+    void add_at(const glm::dmat4& world_from_object, std::string name, scene::Mesh mesh);
+    void add(std::string name, scene::Mesh mesh, const Pose& pose = {}) {
+        add_at(placed(pose), std::move(name), std::move(mesh));
+    }
 
     /// A view that comes before those of `finish`.
     void view(const EyeShot& shot);

@@ -154,17 +154,13 @@ scene::Scene make_gear_scene() {
     const glm::dmat4 wheel = placed({{-1.3, 0, 0}, {90, 0, 0}});
     const glm::dmat4 pinion_axle = placed({{1.3, 0, 0}, {90, 0, 0}});
     const glm::dmat4 pinion = pinion_axle * placed({{}, {0, 18, 0}});
-    stage.place(stage.mesh("wheel", spur_gear(16, 0.4375, 0.5)), "wheel", wheel);
-    stage.place(stage.mesh("pinion", spur_gear(10, 0.3125, 0.5)), "pinion", pinion);
+    stage.add_at(wheel, "wheel", spur_gear(16, 0.4375, 0.5));
+    stage.add_at(pinion, "pinion", spur_gear(10, 0.3125, 0.5));
     const glm::dvec2 hub[] = {
         {0.4375, -0.25}, {0.75, -0.25}, {0.75, 0.75}, {0.4375, 0.75}, {0.4375, -0.25}};
-    stage.place(stage.mesh("hub", revolve(hub, 48)),
-                "hub",
-                wheel * placed({{0, 0, 0}, {}, {0.98, 1, 0.98}}));
-    stage.place(
-        stage.mesh("shaft", make_cylinder(0.375, 2.25, 40)), "shaft", wheel * placed({{0, -1, 0}}));
-    stage.place(
-        stage.mesh("axle", make_cylinder(0.25, 2, 32)), "axle", pinion * placed({{0, -0.75, 0}}));
+    stage.add_at(wheel * placed({{0, 0, 0}, {}, {0.98, 1, 0.98}}), "hub", revolve(hub, 48));
+    stage.add_at(wheel * placed({{0, -1, 0}}), "shaft", make_cylinder(0.375, 2.25, 40));
+    stage.add_at(pinion * placed({{0, -0.75, 0}}), "axle", make_cylinder(0.25, 2, 32));
     place_bolts(stage, wheel, 1.04, 0.5);
     scene::Scene scene = stage.finish({{"front", 0, 0}, {"three_quarter", 34, 24}},
                                       {{"mesh", {1.5, 1, 3}, {0.25, -0.05, 0.25}, 36}});
@@ -188,7 +184,7 @@ scene::Scene make_rocket_scene() {
     const glm::dvec2 hull[] = {{0, -1.5}, {.3, -1.5}, {.5, -.9}, {.5, 1}, {.35, 1.75}, {0, 2.5}};
     const glm::dvec2 fin[] = {{.25, -.9}, {1.1, -1.8}, {1.1, -1.15}, {.25, .3}};
     const glm::dmat4 flight = placed({{0, 0, 0}, {0, 0, -62}});
-    stage.place(stage.mesh("hull", revolve(hull, 8)), "hull", flight);
+    stage.add_at(flight, "hull", revolve(hull, 8));
     const auto fin_mesh = stage.mesh("fin", extrude(fin, {-0.0625, 0.0625}));
     for (int i = 0; i < 3; ++i) {
         stage.place(fin_mesh, "fin", flight * placed({{}, {0, 50.0 + 120 * i, 0}}));
