@@ -53,12 +53,10 @@ class OpenCvThreads {
 };
 
 raster::PassFormat pass_format(const buffers::InputParams& params) {
-    raster::PassFormat format;
-    format.interpolants = 1;
-    format.store = raster::Store::u8;
-    format.interpolation = params.interpolation;
-    format.depth = params.depth_format;
-    return format;
+    return {.interpolants = 1,
+            .store = raster::Store::u8,
+            .interpolation = params.interpolation,
+            .depth = params.depth_format};
 }
 
 /// Side of the Sobel kernels.

@@ -23,13 +23,7 @@ struct InkParams : LookupParams, WidthParams {
 /// Appends the rows of InkParams to a table whose struct derives from it.
 template <class P>
 core::ParamTable<P>& add_ink_params(core::ParamTable<P>& table) {
-    return add_lookup_params(add_width_params(table))
-        .number(&P::jump_px,
-                "jump_px",
-                {0, 1000},
-                "px",
-                "Least step of depth, beyond what the surface goes on by at either sample, that is "
-                "looked up; as long as so many pixels are there.")
+    return add_jump_param(add_lookup_params(add_width_params(table)))
         .number(&P::threshold, "threshold", {1, 255}, "of 255", "Least share of a line pixel.");
 }
 

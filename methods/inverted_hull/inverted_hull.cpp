@@ -92,17 +92,14 @@ class InvertedHull : public buffers::SurfaceMethod<buffers::DepthFill> {
         const scene::Camera& camera = frame.view.camera;
         const bool is_screen = params_.space == Space::screen;
         const double length_world = 1e-3 * params_.width_milliradii * bounds_.radius;
-        core::parallel_for((count + kRun - 1) / kRun, frame.threads, [&](std::size_t run) {
-            const std::size_t last = std::min(count, (run + 1) * kRun);
-            for (std::size_t i = run * kRun; i < last; ++i) {
-                const glm::dvec3& p = surface.p_world[i];
-                double length = length_world;
-                if (is_screen) {
-                    const double w = std::max(projection.to_clip(p).z, camera.near);
-                    length = params_.width_px / projection.px_per_world(w);
-                }
-                hull_.p_world[i] = p + length * glm::dvec3(surface.n_world[i]);
+        core::parallel_for_chunks(count, kRun, frame.threads, [&](std::size_t i) {
+            const glm::dvec3& p = surface.p_world[i];
+            double length = length_world;
+            if (is_screen) {
+                const double w = std::max(projection.to_clip(p).z, camera.near);
+                length = params_.width_px / projection.px_per_world(w);
             }
+            hull_.p_world[i] = p + length * glm::dvec3(surface.n_world[i]);
         });
         hull_mesh_.update(hull_);
     }

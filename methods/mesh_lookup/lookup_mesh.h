@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -99,6 +100,12 @@ struct LookupMesh {
     std::vector<std::uint32_t> face_of_triangle;
     std::vector<double> crack_world;      ///< per object: boundaries this near meet
     std::vector<double> tolerance_world;  ///< per object: scene::weld_tolerances
+
+    /// Of length 1.
+    [[nodiscard]] glm::dvec3 normal(std::uint32_t face) const {
+        const auto& [a, b, c] = faces[face].vertices;
+        return glm::normalize(glm::cross(p_world[b] - p_world[a], p_world[c] - p_world[a]));
+    }
 };
 
 /// Vertices at one place are one, over objects too. Boundaries that do not share their vertices

@@ -142,6 +142,16 @@ glm::u8vec3 color_of(LineKind kind) {
 
 }  // namespace
 
+std::vector<std::uint32_t> lookup_codes(const scene::PreparedScene& scene,
+                                        const LookupParams& params) {
+    SurfaceCodeParams code_params;
+    code_params.crease_deg = params.crease_deg;
+    code_params.weld_epsilon = params.weld_epsilon;
+    SurfaceCodes codes(code_options(code_params, surface_setup(code_params)));
+    codes.prepare(scene);
+    return codes.object_codes(scene, code_params.length_px);
+}
+
 LookupPass::LookupPass(const LookupParams& params, const std::optional<CodedLookup>& coded)
     : ConstantPass(buffers::constant_inputs(params),
                    buffers::constant_format(raster::Store::u32, params.depth_format, coded ? 2 : 1),
@@ -175,14 +185,7 @@ std::vector<std::uint32_t> LookupPass::constants_of(const scene::PreparedScene& 
 /// Words of codes, flags and faces, per global triangle.
 std::vector<std::uint32_t> LookupPass::words_of(const scene::PreparedScene& scene) {
     LookupWord::require_room(coded_->method, mesh_.faces.size());
-    if (codes_.empty()) {
-        SurfaceCodeParams params;
-        params.crease_deg = params_.crease_deg;
-        params.weld_epsilon = params_.weld_epsilon;
-        SurfaceCodes codes(code_options(params, surface_setup(params)));
-        codes.prepare(scene);
-        codes_ = codes.object_codes(scene, params.length_px);
-    }
+    if (codes_.empty()) codes_ = lookup_codes(scene, params_);
     const std::vector<std::uint32_t> words = lookup_words(mesh_, codes_);
     std::vector<std::uint32_t> of_triangles = mesh_.face_of_triangle;
     for (std::uint32_t& face : of_triangles)

@@ -37,6 +37,21 @@ core::ParamTable<P>& add_lookup_params(core::ParamTable<P>& table) {
                 "Most triangles crossed from one sample to the next before it gives up.");
 }
 
+/// Appends the row `jump_px`, of a method that looks depths up, too.
+template <class P>
+core::ParamTable<P>& add_jump_param(core::ParamTable<P>& table) {
+    return table.number(&P::jump_px,
+                        "jump_px",
+                        {0, 1000},
+                        "px",
+                        "Least step of depth, beyond what the surface goes on by at either sample, "
+                        "that is looked up; as long as so many pixels are there.");
+}
+
+/// The codes that lines are looked up with, of surface8, per triangle.
+[[nodiscard]] std::vector<std::uint32_t> lookup_codes(const scene::PreparedScene& scene,
+                                                      const LookupParams& params);
+
 /// Which sides need no look-up: what codes of the surface tell, and depths.
 struct CodedLookup {
     std::string_view method;  ///< who asks

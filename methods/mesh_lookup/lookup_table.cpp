@@ -8,8 +8,6 @@
 #include <numbers>
 
 #include "methods/mesh_lookup/lookup_method.h"
-#include "methods/surface_codes/surface_code_params.h"
-#include "methods/surface_codes/surface_codes.h"
 
 namespace ink::methods {
 namespace {
@@ -96,13 +94,7 @@ LookupTable lookup_table(const scene::PreparedScene& scene, double crease_deg) {
     const LookupMesh mesh =
         make_lookup_mesh(scene, {.crease_rad = crease_rad, .weld_epsilon = params.weld_epsilon});
     LookupWord::require_room("surface_lookup", mesh.faces.size());
-    SurfaceCodeParams code_params;
-    code_params.crease_deg = params.crease_deg;
-    code_params.weld_epsilon = params.weld_epsilon;
-    SurfaceCodes codes(code_options(code_params, surface_setup(code_params)));
-    codes.prepare(scene);
-    const std::vector<std::uint32_t> words =
-        lookup_words(mesh, codes.object_codes(scene, code_params.length_px));
+    const std::vector<std::uint32_t> words = lookup_words(mesh, lookup_codes(scene, params));
 
     LookupTable table;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

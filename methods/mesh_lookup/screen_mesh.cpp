@@ -65,15 +65,12 @@ void ScreenMesh::find_cut(int threads) {
         });
     };
     is_cut_.resize(mesh_->faces.size());
-    each_batch(is_cut_.size(), threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            const LookupFace& face = mesh_->faces[f];
-            const auto is_beside = [&](Twin twin) {
-                return !twin.is_nothing() && !twin.is_many() &&
-                       reaches_near(mesh_->faces[twin.face()]);
-            };
-            is_cut_[f] = reaches_near(face) || std::ranges::any_of(face.twins, is_beside);
-        }
+    const auto is_beside = [&](Twin twin) {
+        return !twin.is_nothing() && !twin.is_many() && reaches_near(mesh_->faces[twin.face()]);
+    };
+    core::parallel_for_chunks(is_cut_.size(), kBatch, threads, [&](std::size_t f) {
+        const LookupFace& face = mesh_->faces[f];
+        is_cut_[f] = reaches_near(face) || std::ranges::any_of(face.twins, is_beside);
     });
 }
 
@@ -150,18 +147,12 @@ bool ScreenMesh::covers(const SampleSide& side,
 bool ScreenMesh::is_crack(const Walk& there, const Walk& back) const {
     if (there.kind() != LineKind::boundary || back.kind() != LineKind::boundary) return false;
     if (std::abs(there.s() - (1 - back.s())) > kCrack_px) return false;
-    const LookupFace& f = mesh_->faces[there.face()];
-    const LookupFace& g = mesh_->faces[back.face()];
     const double w = projection_->depth_of(1 / there.q());
     const double gap = std::abs(w - projection_->depth_of(1 / back.q()));
     const double crack = mesh_->crack_world[mesh_->objects[there.face()]];
     if (gap > std::max(crack, kCrackDepth * w)) return false;
-    const auto normal = [&](const LookupFace& face) {
-        const auto& p = mesh_->p_world;
-        const auto& v = face.vertices;
-        return glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
-    };
-    return std::abs(glm::dot(normal(f), normal(g))) > std::cos(options_.crease_rad);
+    const double cosine = glm::dot(mesh_->normal(there.face()), mesh_->normal(back.face()));
+    return std::abs(cosine) > std::cos(options_.crease_rad);
 }
 
 /// Whether a walk has come past the other sample over what is seen there, which is not far behind.

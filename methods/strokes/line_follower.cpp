@@ -149,18 +149,14 @@ LineKind LineFollower::kind_of(std::uint32_t face, std::size_t edge) const {
 /// An edge of more than two faces is a crease if any of them bends away from this one.
 LineKind LineFollower::kind_of_many(std::uint32_t face, std::size_t edge) const {
     const LookupMesh& mesh = frame_.screen.mesh();
-    const auto normal = [&](std::uint32_t f) {
-        const auto& [a, b, c] = mesh.faces[f].vertices;
-        const auto& p = mesh.p_world;
-        return glm::normalize(glm::cross(p[b] - p[a], p[c] - p[a]));
-    };
     const auto& v = mesh.faces[face].vertices;
     const auto [low, high] = std::minmax(v[edge], v[(edge + 1) % 3]);
     const double least = std::cos(frame_.screen.crease_rad());
     for (auto at = std::lower_bound(mesh.many.begin(), mesh.many.end(), ManyFaces{low, high, 0});
          at != mesh.many.end() && at->a == low && at->b == high;
          ++at) {
-        if (std::abs(glm::dot(normal(face), normal(at->face))) <= least) return LineKind::crease;
+        if (std::abs(glm::dot(mesh.normal(face), mesh.normal(at->face))) <= least)
+            return LineKind::crease;
     }
     return LineKind::none;
 }

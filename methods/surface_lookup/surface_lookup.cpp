@@ -17,19 +17,11 @@ class SurfaceLookup : public LookupMethod {
     using Params = SurfaceLookupParams;
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
-        table
-            .number(
-                &Params::jump_px,
-                "jump_px",
-                {0, 1000},
-                "px",
-                "Least step of depth, beyond what the surface goes on by at either sample, that "
-                "is looked up; as long as so many pixels are there.")
-            .number(&Params::trust,
-                    "trust",
-                    {2, 255},
-                    "",
-                    "Least difference of codes that is a line without looking.");
+        add_jump_param(table).number(&Params::trust,
+                                     "trust",
+                                     {2, 255},
+                                     "",
+                                     "Least difference of codes that is a line without looking.");
         return method::add_threshold_of_two(add_lookup_params(table));
     }
     explicit SurfaceLookup(const Params& params)
