@@ -149,18 +149,15 @@ struct CountedTruth {
     score::TruthLists lists;
 };
 
-score::PixelList counted_positives(const edge::Mask& drawn, const CountedTruth& counted) {
-    edge::BitMask thinned(drawn);
-    edge::thin(thinned);
-    return score::counted_pixels(std::move(thinned), counted.lists);
-}
-
 void fill_rows(const harness::ViewTruth& truth,
                const CountedTruth& counted,
                CancellationOf& study) {
     const harness::Evaluation& evaluation = study.evaluation;
     const auto ink_of = [&](const edge::Mask& drawn) {
-        return CountedInk(counted_positives(drawn, counted), counted.lists.disk);
+        edge::BitMask thinned(drawn);
+        edge::thin(thinned);
+        return CountedInk(score::counted_pixels(std::move(thinned), counted.lists),
+                          counted.lists.disk);
     };
     CountedInk predicted = ink_of(predicted_positives(
         study.code, truth.traced.layers.triangle, counted.seeing, study.declared));
