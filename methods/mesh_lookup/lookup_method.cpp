@@ -144,9 +144,8 @@ glm::u8vec3 color_of(LineKind kind) {
 
 std::vector<std::uint32_t> lookup_codes(const scene::PreparedScene& scene,
                                         const LookupParams& params) {
-    SurfaceCodeParams code_params;
-    code_params.crease_deg = params.crease_deg;
-    code_params.weld_epsilon = params.weld_epsilon;
+    const SurfaceCodeParams code_params{
+        {.crease_deg = params.crease_deg, .weld_epsilon = params.weld_epsilon}};
     SurfaceCodes codes(code_options(code_params, surface_setup(code_params)));
     codes.prepare(scene);
     return codes.object_codes(scene, code_params.length_px);

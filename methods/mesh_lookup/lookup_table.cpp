@@ -88,8 +88,7 @@ std::vector<std::uint32_t> lookup_words(const LookupMesh& mesh,
 }
 
 LookupTable lookup_table(const scene::PreparedScene& scene, double crease_deg) {
-    LookupParams params;
-    params.crease_deg = crease_deg;
+    const LookupParams params{.crease_deg = crease_deg};
     const double crease_rad = glm::radians(params.crease_deg);
     const LookupMesh mesh =
         make_lookup_mesh(scene, {.crease_rad = crease_rad, .weld_epsilon = params.weld_epsilon});

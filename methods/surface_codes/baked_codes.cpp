@@ -24,8 +24,7 @@ constexpr int kRepairMoves = 16000;
 std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
                                        BakedMethod method,
                                        double crease_deg) {
-    SurfaceCodeParams params;
-    params.crease_deg = crease_deg;
+    const SurfaceCodeParams params{{.crease_deg = crease_deg}};
     const CodeSetup setup = method == BakedMethod::surface8 ? surface_setup(params) : label_setup();
     SurfaceCodes codes(code_options(params, setup));
     codes.prepare(scene);
@@ -35,8 +34,7 @@ std::vector<std::uint32_t> baked_codes(const scene::PreparedScene& scene,
 std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
                                           double crease_deg,
                                           std::span<const scene::Scene> motions) {
-    SurfaceCodeParams params;
-    params.crease_deg = crease_deg;
+    const SurfaceCodeParams params{{.crease_deg = crease_deg}};
     return repaired_codes(scene, params, surface_setup(params), motions);
 }
 
@@ -69,9 +67,7 @@ std::vector<std::uint32_t> repaired_codes(const scene::PreparedScene& scene,
 }
 
 std::shared_ptr<const SmoothMesh> baked_mesh(const scene::PreparedScene& scene, double crease_deg) {
-    CodeParams params;
-    params.crease_deg = crease_deg;
-    return make_smooth_mesh(scene, code_options(params, {}).patches);
+    return make_smooth_mesh(scene, code_options({.crease_deg = crease_deg}, {}).patches);
 }
 
 }  // namespace ink::methods
