@@ -38,7 +38,8 @@ std::uint32_t flat_sides(const LookupMesh& mesh,
                          std::size_t edge,
                          double crease_rad) {
     const auto& v = mesh.faces[face].vertices;
-    const auto [low, high] = std::minmax({v[edge], v[(edge + 1) % 3]});
+    const std::uint32_t low = std::min(v[edge], v[(edge + 1) % 3]),
+                        high = std::max(v[edge], v[(edge + 1) % 3]);
     const glm::dvec3 a = mesh.p_world[v[edge]];
     const auto third = [&](std::uint32_t f) {
         const auto& [i, j, k] = mesh.faces[f].vertices;
