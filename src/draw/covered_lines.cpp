@@ -1,4 +1,4 @@
-#include "draw/covered_lines.h"
+#include "draw/line_drawing.h"
 
 #include <algorithm>
 #include <cmath>

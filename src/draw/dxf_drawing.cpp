@@ -1,13 +1,13 @@
-#include "draw/dxf_drawing.h"
+#include "draw/line_drawing.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 #include <vector>
 
-#include "draw/line_drawing.h"
 #include "draw/svg_lines.h"
 
 namespace ink::draw {
@@ -45,8 +45,8 @@ std::string layer_of(truth::LineClass c, bool is_hidden) {
 
 /// Comments are ASCII, too, and one line.
 std::string plain(std::string text) {
-    for (char& letter : text)
-        letter = letter < ' ' || letter > '~' ? '?' : letter;
+    std::ranges::replace_if(
+        text, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
     return text;
 }
 
@@ -74,17 +74,11 @@ void add_layers(Dxf& dxf) {
     dxf.add(0, "ENDTAB");
 }
 
-struct Point {
-    double x_mm = 0;
-    double y_mm = 0;
-    friend bool operator==(const Point&, const Point&) = default;
-};
-
 /// Rounded as in an SVG drawing before y is turned, so that both hold the same places.
-std::vector<Point> points_of(const truth::Polyline& line, const Sheet& sheet) {
+std::vector<glm::dvec2> points_of(const truth::Polyline& line, const Sheet& sheet) {
     const auto steps = [](double mm) { return std::round(mm * 10000); };
     const double height = steps(sheet.height_mm);
-    std::vector<Point> points;
+    std::vector<glm::dvec2> points;
     for (const truth::CurvePoint& p : line.points) {
         points.push_back({steps(sheet.left_mm + p.x_px * sheet.mm_per_px) / 10000,
                           (height - steps(sheet.top_mm + p.y_px * sheet.mm_per_px)) / 10000});
@@ -92,18 +86,18 @@ std::vector<Point> points_of(const truth::Polyline& line, const Sheet& sheet) {
     return points;
 }
 
-void add_line(Dxf& dxf, std::vector<Point> points, const std::string& layer) {
+void add_line(Dxf& dxf, std::vector<glm::dvec2> points, const std::string& layer) {
     if (points.size() == 2) {
         dxf.add(0, "LINE").add(8, layer);
-        dxf.add_point(10, points[0].x_mm, points[0].y_mm);
-        dxf.add_point(11, points[1].x_mm, points[1].y_mm);
+        dxf.add_point(10, points[0].x, points[0].y);
+        dxf.add_point(11, points[1].x, points[1].y);
         return;
     }
     const bool is_closed = points.size() > 3 && points.front() == points.back();
     if (is_closed) points.pop_back();
     dxf.add(0, "POLYLINE").add(8, layer).add(66, 1).add_point(10, 0, 0).add(70, is_closed ? 1 : 0);
-    for (const Point& p : points)
-        dxf.add(0, "VERTEX").add(8, layer).add_point(10, p.x_mm, p.y_mm);
+    for (const glm::dvec2& p : points)
+        dxf.add(0, "VERTEX").add(8, layer).add_point(10, p.x, p.y);
     dxf.add(0, "SEQEND").add(8, layer);
 }
 

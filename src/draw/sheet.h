@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "draw/drawn_lines.h"
 #include "scene/camera.h"
+#include "truth/trace_lines.h"
 
 namespace ink::draw {
 

@@ -1,4 +1,4 @@
-#include "draw/covered_lines.h"
+#include "draw/line_drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "draw/drawn_lines.h"
 #include "draw/sheet.h"
 #include "harness/suite/suite.h"
 #include "tests/catalogue_names.h"

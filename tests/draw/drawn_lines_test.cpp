@@ -1,11 +1,10 @@
-#include "draw/drawn_lines.h"
+#include "draw/line_drawing.h"
 
 #include <array>
 #include <numbers>
 
 #include "catalogue/catalogue.h"
 #include "core/named.h"
-#include "draw/covered_lines.h"
 #include "harness/suite/suite.h"
 #include "tests/truth/shapes.h"
 #include "truth/eye_view.h"

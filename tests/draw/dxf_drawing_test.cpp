@@ -1,5 +1,3 @@
-#include "draw/dxf_drawing.h"
-
 #include <gmock/gmock.h>
 
 #include <map>
