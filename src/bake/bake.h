@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "import/import.h"
 #include "methods/surface_codes/baked_codes.h"
+#include "scene/scene.h"
 
 namespace ink::bake {
 
@@ -51,5 +54,20 @@ struct BakedFile {
 
 /// Whether a model was read from a glTF file.
 [[nodiscard]] bool is_gltf(const import::ImportedModel& model);
+
+/// Gives normals to the meshes that have none: those of smooth patches, which creases part. A
+/// vertex that has several is copied, with its own of the meshes' `texcoords`, if any; triangles
+/// and their corners keep their order. For a scene that is not to move.
+void add_normals(scene::Scene& scene,
+                 double crease_deg,
+                 std::span<std::vector<glm::vec2>> texcoords = {});
+
+/// What the shaders of surface_lookup and chords read of a glTF model, for a file beside its own.
+///
+/// Words of 32 bits, little-endian: how many faces, parts and points follow; eight words a face
+/// (methods::LookupTable::Face); of a part, which one draw call draws, the file's node and the
+/// primitive in the mesh there; of a point its part and the vertex. A point moves as that vertex
+/// does. Throws core::Error for copies of a mesh in one node, and as methods::lookup_table().
+[[nodiscard]] std::string lookup_file(const import::ImportedModel& model, double crease_deg);
 
 }  // namespace ink::bake

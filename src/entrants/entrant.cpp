@@ -8,23 +8,59 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/scratch_folder.h"
+#include "core/tables/csv_table.h"
+#include "core/whole_file.h"
 #include "core/work_clock.h"
-#include "entrants/image_folder.h"
 #include "entrants/view_files.h"
+#include "harness/images/outline_image.h"
+#include "harness/images/view_images.h"
 #include "harness/rows/row.h"
 #include "import/child_process.h"
+#include "import/model_bytes.h"
 #include "methods/registry.h"
 
 namespace ink::entrants {
 namespace {
+
+namespace fs = std::filesystem;
+using Times = std::map<std::pair<std::string, std::string>, std::int64_t>;
+
+constexpr double kNsPerMs = 1e6;
+
+/// Times by scene and view; none without the file.
+Times read_times(const fs::path& file) {
+    Times times;
+    if (!fs::exists(file)) return times;
+    const auto text = core::read_whole_file(file);
+    if (!text) throw core::Error(file.string(), "it cannot be read", "times as CSV");
+    const core::CsvTable table = core::split_csv(*text, file.string());
+    const std::size_t scene = table.find("scene");
+    const std::size_t view = table.find("view");
+    const std::size_t draw_ms = table.find("draw_ms");
+    if (std::max({scene, view, draw_ms}) == table.columns.size()) {
+        throw core::Error(file.string(), "a column is missing", "scene, view and draw_ms");
+    }
+    for (std::size_t i = 0; i < table.records.size(); ++i) {
+        const core::CsvField field(table, i, draw_ms);
+        const auto ms = field.as<double>();
+        if (!(ms >= 0 && ms < 1e9)) field.refuse("milliseconds, 0 or more");
+        times[{core::unquoted(table.records[i][scene]), core::unquoted(table.records[i][view])}] =
+            std::llround(ms * kNsPerMs);
+    }
+    return times;
+}
 
 namespace fs = std::filesystem;
 
@@ -34,10 +70,6 @@ constexpr std::uint64_t kMemoryBytes = 8ULL << 30;  ///< that each process may w
 constexpr std::uint64_t kOutputBytes = 1 << 20;
 constexpr std::uint64_t kFileBytes = 1ULL << 30;
 constexpr int kNotStarted = 127;  ///< exit code of a child that could not become the program
-
-std::string text_of(const import::ChildOutcome& outcome) {
-    return {reinterpret_cast<const char*>(outcome.output.data()), outcome.output.size()};
-}
 
 /// The last line that is not empty, cut to a length that fits a table.
 std::string last_line(const std::string& text) {
@@ -70,7 +102,7 @@ std::optional<double> reported_ms(const std::string& text) {
 
 /// Why a call failed, or "".
 std::string failure_of(const import::ChildOutcome& outcome, double wall_s) {
-    const std::string said = last_line(text_of(outcome));
+    const std::string said = last_line(std::string(import::text_of(outcome.output)));
     const std::string quote = said.empty() ? "" : ": " + said;
     switch (outcome.end) {
         case import::ChildEnd::not_started:
@@ -128,8 +160,7 @@ class ProgramRunner {
             throw core::Error(
                 program_.string(), "it wrote no image", "an image at its second argument");
         harness::OutsideImage drawn{image_of(image, view)};
-        constexpr double kNsPerMs = 1e6;
-        const auto ms = reported_ms(text_of(outcome));
+        const auto ms = reported_ms(std::string(import::text_of(outcome.output)));
         if (ms) drawn.draw_ns = std::llround(*ms * kNsPerMs);
         drawn.process = process;
         return drawn;
@@ -205,6 +236,48 @@ core::ParamTable<EntrantParams> entrant_table() {
 }
 
 }  // namespace
+
+edge::EdgeImage read_entrant_image(const fs::path& path, const scene::View& view) {
+    edge::EdgeImage image = harness::read_outline_image(path).responses;
+    if (image.width_px() != view.width_px || image.height_px() != view.height_px) {
+        throw core::Error(
+            path.string(),
+            fmt::format("its size is {} x {} px", image.width_px(), image.height_px()),
+            fmt::format("{} x {} px, that of the view", view.width_px, view.height_px));
+    }
+    return image;
+}
+
+harness::OutsideSource image_folder_source(const fs::path& folder) {
+    return [folder, times = read_times(folder / "times.csv")](const scene::Scene& scene,
+                                                              const scene::View& view) {
+        const fs::path path = folder / harness::file_name(scene.name) /
+                              (harness::file_name(view.camera.name) + ".png");
+        harness::OutsideImage drawn{read_entrant_image(path, view)};
+        const auto time = times.find({scene.name, view.camera.name});
+        if (time != times.end()) drawn.draw_ns = time->second;
+        return drawn;
+    };
+}
+
+std::string folder_hash(const fs::path& folder) {
+    std::set<fs::path> files;
+    std::error_code failure;
+    for (auto entry = fs::recursive_directory_iterator(folder, failure);
+         !failure && entry != fs::recursive_directory_iterator();
+         entry.increment(failure)) {
+        if (entry->is_regular_file()) files.insert(entry->path());
+    }
+    core::Hasher hasher;
+    for (const fs::path& file : files)
+        hasher.text(file.lexically_relative(folder).string())
+            .text(core::read_whole_file(file).value_or(""));
+    return hasher.hex();
+}
+
+std::string file_hash(const fs::path& file) {
+    return core::Hasher().text(core::read_whole_file(file).value_or("")).hex();
+}
 
 Entrant parse_entrant(const std::string& text) {
     const auto equals = text.find('=');

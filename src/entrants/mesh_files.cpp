@@ -1,4 +1,4 @@
-#include "entrants/mesh_files.h"
+#include "entrants/view_files.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+
 #include <set>
 #include <span>
 #include <string>

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+
 #include <numbers>
 
 #include "buffers/each_tile.h"
 #include "buffers/id_pass.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
-#include "entrants/mesh_files.h"
 #include "harness/images/out_folder.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
@@ -93,10 +94,8 @@ Json view_matrix(const scene::Camera& camera) {
     const glm::dvec3 moved = camera.view_from_world * -camera.eye_world;
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) {
-        rows.push_back({camera.view_from_world[0][row],
-                        camera.view_from_world[1][row],
-                        camera.view_from_world[2][row],
-                        moved[row]});
+        const glm::dvec3 axis = glm::row(camera.view_from_world, row);
+        rows.push_back({axis.x, axis.y, axis.z, moved[row]});
     }
     rows.push_back({0, 0, 0, 1});
     return rows;
@@ -201,11 +200,7 @@ ViewBuffers view_buffers(const scene::Scene& scene, const scene::View& view, dou
 
 std::string view_json(const scene::Scene& scene, const scene::View& view, const ViewFiles& files) {
     const scene::Camera& camera = view.camera;
-    const auto row = [&](int i) {
-        return glm::dvec3(camera.view_from_world[0][i],
-                          camera.view_from_world[1][i],
-                          camera.view_from_world[2][i]);
-    };
+    const auto row = [&](int i) { return glm::row(camera.view_from_world, i); };
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double ahead =
         std::max(glm::dot(camera.eye_world - bounds.center_world, row(2)), camera.near);

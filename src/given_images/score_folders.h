@@ -39,7 +39,7 @@ struct FolderScore {
 
 /// The files below `predictions`, by their paths within it, that score_folders() scores against no
 /// truth: none has their name, or another file of that name comes first. Hidden files and times.csv
-/// (entrants/image_folder.h) are no images.
+/// (entrants/entrant.h) are no images.
 [[nodiscard]] std::vector<std::string> files_without_truth(const std::filesystem::path& predictions,
                                                            const std::filesystem::path& truths);
 

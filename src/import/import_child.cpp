@@ -20,13 +20,11 @@
 #include <vector>
 
 #include "core/error.h"
-#include "import/animation_choice.h"
 #include "import/gltf/gltf_reader.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/model_bytes.h"
 #include "import/other_formats.h"
 #include "import/quake_models.h"
-#include "import/refusal.h"
 #include "import/scene_stream.h"
 
 namespace ink::import {

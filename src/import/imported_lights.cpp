@@ -1,4 +1,4 @@
-#include "import/imported_lights.h"
+#include "import/imported_scene.h"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "import/imported_lights.h"
-#include "import/origin.h"
 #include "import/printable.h"
 #include "scene/materials.h"
 

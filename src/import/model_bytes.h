@@ -17,6 +17,12 @@
 
 namespace ink::import {
 
+/// What a file asks for is known, or said to be needed, and not read here: the file is not damaged.
+class Refusal : public core::Error {
+  public:
+    using core::Error::Error;
+};
+
 /// The bytes of a regular file, `most` at most; nothing if it cannot be read.
 [[nodiscard]] std::optional<std::vector<std::byte>> read_file(
     const std::filesystem::path& path,

@@ -1,4 +1,4 @@
-#include "import/origin.h"
+#include "import/imported_scene.h"
 
 #include <algorithm>
 #include <cmath>

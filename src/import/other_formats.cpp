@@ -4,7 +4,6 @@
 #include <string>
 
 #include "import/model_bytes.h"
-#include "import/refusal.h"
 
 namespace ink::import {
 namespace {

@@ -1,6 +1,10 @@
 #include "import/scene_stream.h"
 
+#include <algorithm>
 #include <array>
+
+#include "core/parse_number.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 namespace {
@@ -96,6 +100,14 @@ void pass_scene(Stream& of, Reply& reply) {
     of.parts(reply.base_colors);
 }
 
+std::string listed(const std::vector<std::string>& names) {
+    if (names.empty()) return "none, as the file has no animation";
+    std::string list;
+    for (const std::string& name : names)
+        if (!name.empty()) list += name + ", ";
+    return list + "or a number, 0.." + std::to_string(names.size() - 1);
+}
+
 }  // namespace
 
 void write_reply(const ImportReply& reply, const core::ByteSink& sink) {
@@ -121,6 +133,15 @@ std::optional<ImportReply> read_reply(std::span<const std::byte> stream) {
     if (animations == 1) pass_animation(reader, reply.animation.emplace());
     if (reader.value<std::uint32_t>() != kEndMark || !reader.is_at_end()) return std::nullopt;
     return reply;
+}
+
+std::size_t choose_animation(const std::vector<std::string>& names, const std::string& asked) {
+    if (asked.empty()) return 0;
+    const auto named = std::find(names.begin(), names.end(), asked);
+    if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
+    const auto number = core::parse_number<std::size_t>(asked);
+    if (number && *number < names.size()) return *number;
+    throw Refusal("", "it has no animation \"" + asked + '"', listed(names));
 }
 
 }  // namespace ink::import

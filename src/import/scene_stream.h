@@ -130,4 +130,9 @@ void write_reply(const ImportReply& reply, const core::ByteSink& sink);
 /// and numbers come as they stand.
 [[nodiscard]] std::optional<ImportReply> read_reply(std::span<const std::byte> stream);
 
+/// The number of the animation that `asked` means among `names`: one called so, else the one of
+/// that number; the first if nothing is asked. Throws Refusal that lists them.
+[[nodiscard]] std::size_t choose_animation(const std::vector<std::string>& names,
+                                           const std::string& asked);
+
 }  // namespace ink::import

@@ -1,4 +1,4 @@
-#include "bake/file_normals.h"
+#include "bake/bake.h"
 
 #include <gtest/gtest.h>
 

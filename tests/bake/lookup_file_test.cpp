@@ -1,4 +1,4 @@
-#include "bake/lookup_file.h"
+#include "bake/bake.h"
 
 #include <gmock/gmock.h>
 

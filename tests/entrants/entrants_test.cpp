@@ -11,7 +11,6 @@
 #include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "core/whole_file.h"
-#include "entrants/mesh_files.h"
 #include "entrants/view_files.h"
 #include "harness/cells/cell.h"
 #include "harness/clock/outside_method.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/tables/csv_table.h"
-#include "entrants/image_folder.h"
+#include "entrants/entrant.h"
 #include "harness/images/outline_image.h"
 #include "image_io/picture_file.h"
 #include "tests/core/temp_folder.h"

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "import/meshes/mesh_readers.h"
-#include "import/refusal.h"
+#include "import/model_bytes.h"
 #include "tests/import/read_meshes.h"
 
 namespace ink::import {

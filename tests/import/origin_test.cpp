@@ -1,6 +1,6 @@
 // What lies far from its coordinates' zero is moved there before it is rounded to floats.
 
-#include "import/origin.h"
+#include "import/imported_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "bake/file_normals.h"
-#include "bake/lookup_file.h"
 #include "cli/commands/commands.h"
 #include "cli/options/command_rows.h"
 #include "cli/options/options.h"
@@ -20,7 +18,7 @@
 #include "core/interrupt.h"
 #include "core/scratch_folder.h"
 #include "core/whole_file.h"
-#include "entrants/mesh_files.h"
+#include "entrants/view_files.h"
 #include "harness/suite/suite.h"
 
 namespace ink::cli {

@@ -5,11 +5,11 @@
 #include <map>
 #include <utility>
 
-#include "import/animation_choice.h"
 #include "import/gltf/meshes.h"
 #include "import/gltf/motion.h"
 #include "import/gltf/notes.h"
 #include "import/gltf/tree.h"
+#include "import/scene_stream.h"
 
 namespace ink::import {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
 #include <string_view>
 
 #include "core/error.h"
 #include "import/model_bytes.h"
-#include "import/refusal.h"
 
 namespace ink::import {
 namespace {

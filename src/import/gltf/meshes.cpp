@@ -1,7 +1,5 @@
 #include "import/gltf/meshes.h"
 
-#include <algorithm>
-
 #include "import/gltf/primitive.h"
 
 namespace ink::import {

@@ -14,7 +14,7 @@
 #include "import/meshes/mesh_readers.h"
 #include "import/meshes/obj_parts.h"
 #include "import/meshes/polygons.h"
-#include "import/refusal.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 namespace {

@@ -7,7 +7,7 @@
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/meshes/polygons.h"
-#include "import/refusal.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 namespace {
