@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <vector>
+#include <regex>
+#include <sstream>
 
 #include "cli/commands/commands.h"
 #include "core/error.h"
@@ -22,11 +22,8 @@ constexpr const char* kTemplateName = "my_method";
 constexpr const char* kTemplateClass = "MyMethod";
 
 void check_method_name(const std::string& name) {
-    const bool is_word = !name.empty() && std::islower(static_cast<unsigned char>(name[0])) != 0 &&
-                         std::all_of(name.begin(), name.end(), [](unsigned char c) {
-                             return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_';
-                         });
-    if (!is_word || name == kTemplateName) {
+    static const std::regex kWord("[a-z][a-z0-9_]*");
+    if (!std::regex_match(name, kWord) || name == kTemplateName) {
         throw core::Error("new-method",
                           "a method cannot be called '" + name + "'",
                           "small letters, digits and underscores, a letter first");
@@ -45,45 +42,23 @@ std::string source_text(const fs::path& path) {
 
 /// "two_sums" as "TwoSums".
 std::string class_name(const std::string& name) {
+    std::istringstream words(name);
     std::string text;
-    bool is_first = true;
-    for (const char c : name) {
-        if (c == '_') {
-            is_first = true;
-            continue;
-        }
-        text += is_first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-        is_first = false;
+    for (std::string word; std::getline(words, word, '_');) {
+        if (!word.empty()) word[0] = static_cast<char>(std::toupper(word[0]));
+        text += word;
     }
     return text;
 }
 
-std::string replace_all(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos;
-         at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
-}
-
-/// Puts `line` before the first line that holds `mark`.
-void insert_before(std::string& text,
-                   const std::string& mark,
-                   const std::string& line,
-                   const fs::path& file) {
-    const std::size_t at = text.find(mark);
-    if (at == std::string::npos)
-        throw core::Error(file.string(), "it has no line with '" + mark + "'");
-    text.insert(at == 0 ? 0 : text.rfind('\n', at) + 1, line + "\n");
-}
-
 /// Adds a method called `name` to the source tree at `root`: a copy of methods/_template with its
-/// names changed, and its lines in methods/registry.cpp and methods/CMakeLists.txt. Returns the
+/// names changed, and its lines in methods/registry.cpp and methods/CMakeLists.txt. Prints the
 /// files that are new or changed, relative to `root`.
 ///
 /// A name is of small letters, digits and underscores, begins with a letter and is no word of C++
 /// that the template has. Throws core::Error, with nothing written, for another name, one that is
 /// taken, or a `root` that is no source tree of Inkbench.
-std::vector<fs::path> add_new_method(const fs::path& root, const std::string& name) {
+void add_new_method(const fs::path& root, const std::string& name) {
     check_method_name(name);
     const fs::path folder = fs::path("methods") / name;
     if (fs::exists(root / folder))
@@ -92,23 +67,25 @@ std::vector<fs::path> add_new_method(const fs::path& root, const std::string& na
     std::map<fs::path, std::string> files;
     for (const char* ending : {".cpp", ".toml"}) {
         const fs::path from = root / "methods/_template" / (std::string(kTemplateName) + ending);
-        const std::string text = replace_all(source_text(from), kTemplateClass, class_name(name));
-        files[folder / (name + ending)] = replace_all(text, kTemplateName, name);
+        const std::string text =
+            std::regex_replace(source_text(from), std::regex(kTemplateClass), class_name(name));
+        files[folder / (name + ending)] = std::regex_replace(text, std::regex(kTemplateName), name);
     }
-    const auto list = [&](const fs::path& file, const char* mark, const std::string& line) {
+    const auto list = [&](const fs::path& file, const std::string& next, const std::string& line) {
         std::string& lines = files[file] = source_text(root / file);
-        insert_before(lines, mark, line, file);
+        const std::size_t at = lines.find(next);
+        if (at == std::string::npos)
+            throw core::Error(file.string(), "it has no line with '" + next + "'");
+        lines.insert(at, line + "\n");
     };
     list("methods/registry.cpp", "    X(auto)", "    X(" + name + ") \\");
     list("methods/CMakeLists.txt", "    auto", "    " + name);
 
-    std::vector<fs::path> changed;
     fs::create_directories(root / folder);
     for (const auto& [path, text] : files) {
         core::write_whole_file(root / path, text);
-        changed.push_back(path);
+        fmt::print("{}\n", path.string());
     }
-    return changed;
 }
 
 struct NewMethodArgs {
@@ -133,8 +110,7 @@ void add_new_method_command(CLI::App& app) {
         "         build/release/inkbench compare --scenes torus --methods my_lines,mote4\n"
         "Exit codes: 0 done, 2 bad input.");
     command->callback([args] {
-        for (const auto& path : add_new_method(args->root, args->name))
-            fmt::print("{}\n", path.string());
+        add_new_method(args->root, args->name);
         fmt::print("next: ./bootstrap build, then inkbench compare --methods {},mote4\n",
                    args->name);
     });
