@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "scene/box.h"
@@ -19,12 +20,6 @@ std::string text_of(const glm::dvec3& p, int digits) {
 
 nlohmann::ordered_json json_of(const glm::dvec3& p) {
     return {p.x, p.y, p.z};
-}
-
-/// A row of the rotation into view space: right, up or back.
-glm::dvec3 axis(const scene::Camera& camera, int row) {
-    const glm::dmat3& m = camera.view_from_world;
-    return {m[0][row], m[1][row], m[2][row]};
 }
 
 /// What a place is told by, in the file's coordinates.
@@ -45,7 +40,8 @@ Place place_of(const scene::Scene& scene) {
 /// On the line of sight, as far away as the centre is.
 glm::dvec3 target_of(const scene::Camera& camera, const scene::Sphere& sphere) {
     const double away = glm::distance(camera.eye_world, sphere.center_world);
-    return camera.eye_world - (away > 0 ? away : sphere.radius) * axis(camera, 2);
+    return camera.eye_world -
+           (away > 0 ? away : sphere.radius) * glm::row(camera.view_from_world, 2);
 }
 
 }  // namespace
@@ -94,7 +90,7 @@ std::string place_text(const harness::SceneViews& scene_views) {
             camera.name,
             text_of(camera.eye_world + scene.origin),
             text_of(target_of(camera, sphere) + scene.origin),
-            text_of(axis(camera, 1)),
+            text_of(glm::row(camera.view_from_world, 1)),
             camera.is_parallel() ? "parallel" : "fov",
             camera.is_parallel() ? camera.height_world : glm::degrees(camera.fov_y_rad));
     }
@@ -125,7 +121,7 @@ nlohmann::ordered_json place_json(const harness::SceneViews& scene_views) {
         auto& of_camera = json["cameras"][camera.name];
         of_camera = {{"eye", json_of(camera.eye_world + scene.origin)},
                      {"target", json_of(target_of(camera, sphere) + scene.origin)},
-                     {"up", json_of(axis(camera, 1))}};
+                     {"up", json_of(glm::row(camera.view_from_world, 1))}};
         if (camera.is_parallel()) {
             of_camera["height"] = camera.height_world;
         } else {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+
 #include <optional>
 #include <utility>
 #include <vector>
@@ -99,10 +100,6 @@ std::string ink_lines(const score::SoftScore& soft) {
         soft.missing_px);
 }
 
-std::string polarity_of(const given_images::FilesScore& scored) {
-    return scored.is_inverted ? "dark lines on light" : "light lines on dark";
-}
-
 }  // namespace
 
 std::string score_json(const given_images::FilesScore& scored) {
@@ -124,7 +121,7 @@ std::string score_table(const std::filesystem::path& prediction,
     std::string text = fmt::format("{} against {}\n", prediction.filename().string(), truth_name);
     text += fmt::format("within {} px, {}, edge response {} and above, {}",
                         options.tolerance_px,
-                        polarity_of(scored),
+                        scored.is_inverted ? "dark lines on light" : "light lines on dark",
                         options.threshold,
                         options.thin ? "thinned" : "not thinned");
     if (options.band_px > 0) text += fmt::format(", {} px of the frame left out", options.band_px);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -8,7 +7,6 @@
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/experiment_run.h"
-#include "experiment/folder_lock.h"
 
 namespace ink::experiment {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 #include <numeric>
 
 #include "core/error.h"
@@ -14,7 +13,7 @@
 #include "core/parallel.h"
 #include "core/provenance.h"
 #include "core/whole_file.h"
-#include "experiment/asked.h"
+#include "experiment/experiment.h"
 #include "harness/rows/methods_table.h"
 
 namespace ink::experiment {

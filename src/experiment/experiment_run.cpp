@@ -11,9 +11,7 @@
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/block_work.h"
-#include "experiment/folder_lock.h"
 #include "experiment/run_data.h"
-#include "experiment/run_tables.h"
 #include "summary/summary_csv.h"
 
 namespace ink::experiment {
@@ -36,11 +34,6 @@ bool is_complete(const RunRecord& record, const fs::path& folder) {
            std::all_of(record.tables.begin(), record.tables.end(), [&](const RecordedTable& table) {
                return fs::is_regular_file(folder / table.name);
            });
-}
-
-void write_files(const Plan& plan, const fs::path& folder) {
-    for (const auto& [name, text] : plan.files)
-        core::write_whole_file(folder / name, text);
 }
 
 /// Of a finished run that is asked by another rule for the answer: writes what depends on it.
@@ -103,13 +96,12 @@ void take_folder(const fs::path& out, const RunRecord& mine, bool is_forced) {
 RunOutcome write_run(const BlockStore& store,
                      RunRecord record,
                      const std::vector<std::string>& missing) {
-    RunOutcome outcome;
     record.missing_blocks = missing;
     record.blocks_done = 0;
     record.work_s = 0;
     record.faults.clear();
-    for (const FinishedTable& table : finished_tables(record, store))
-        core::write_whole_file(store.folder() / table.name, table.text);
+    for (const auto& [name, text] : finished_tables(record, store))
+        core::write_whole_file(store.folder() / name, text);
     for (const std::size_t i : store.indices()) {
         const auto block = store.read(i);
         if (!block) continue;
@@ -124,8 +116,7 @@ RunOutcome write_run(const BlockStore& store,
                                            : RunState::invalid;
     write_record(record, store.folder());
     if (is_whole) store.clear();
-    outcome.record = std::move(record);
-    return outcome;
+    return {false, std::move(record)};
 }
 
 /// What a run that has begun leaves of itself, and a shard: its finished blocks, and how many they
@@ -136,9 +127,7 @@ RunOutcome write_shard(const BlockStore& store,
     record.missing_blocks = missing;
     record.blocks_done = record.blocks - static_cast<int>(missing.size());
     write_record(record, store.folder());
-    RunOutcome outcome;
-    outcome.record = std::move(record);
-    return outcome;
+    return {false, std::move(record)};
 }
 
 RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
@@ -154,15 +143,14 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     if (there && is_complete(*there, options.out)) {
         store.clear();
         options.say(fmt::format("{}: all {} cells are done", plan.name, plan.cells()));
-        RunOutcome outcome;
-        outcome.record =
-            there->answer == mine.answer ? *there : answered_anew(*there, mine, options.out);
-        return outcome;
+        return {false,
+                there->answer == mine.answer ? *there : answered_anew(*there, mine, options.out)};
     }
     store.make_folder();
     BlockWork work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
     (void)write_shard(store, mine, work.missing_of_plan());
-    write_files(plan, options.out);
+    for (const auto& [name, text] : plan.files)
+        core::write_whole_file(options.out / name, text);
     options.say(work.heading(options.shard));
     const auto write_up = [&] {
         const auto write = options.shard.is_all() ? write_run : write_shard;

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "core/tables/csv_table.h"
+#include "experiment/block_store.h"
 #include "experiment/run_record.h"
 #include "harness/rows/row.h"
 #include "statistics/ods.h"
 #include "studies/axis_rows.h"
 #include "studies/axis_summary.h"
-#include "summary/comparison.h"
+#include "summary/summary_csv.h"
 
 namespace ink::experiment {
 
@@ -47,12 +48,25 @@ struct RunData {
     studies::Finding finding = {};  ///< of a search, or of axes of difficulty
 };
 
-/// Leaves the rows and settings of the first size and number of threads: no one time of a method
-/// means anything over several.
-void keep_one_place(RunTables& tables);
+/// Those of the first size and number of threads: no one time of a method means anything over
+/// several.
+[[nodiscard]] std::vector<harness::Row> rows_of_one_place(std::vector<harness::Row> rows);
+
+/// A field of a method's line in methods.csv; "" where that has none.
+[[nodiscard]] std::string method_fact(const RunData& run,
+                                      const std::string& method,
+                                      std::string_view column);
 
 /// Reads the run in `folder`; of one that was killed, what its finished blocks hold. Throws
 /// core::Error (where = the folder) if there is no run in it, or one that cannot be read.
 [[nodiscard]] RunData read_run(const std::filesystem::path& folder);
+
+/// The tables of the finished blocks of a run, by file name: their lines in plan order, with the
+/// times that the cost model predicts from all of them, and summary.csv, differences.csv or
+/// axis_summary.csv where the run has what they are made from. A function of the blocks alone:
+/// whoever computed which, the bytes are the same. Blocks that are missing leave their lines out,
+/// and those of other tables about cells that rows.csv lacks then.
+[[nodiscard]] std::map<std::string, std::string> finished_tables(const RunRecord& record,
+                                                                 const BlockStore& store);
 
 }  // namespace ink::experiment

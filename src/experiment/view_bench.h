@@ -7,7 +7,6 @@
 #include <mutex>
 #include <span>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "experiment/experiment.h"

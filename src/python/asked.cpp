@@ -15,7 +15,6 @@
 #include "core/param.h"
 #include "core/split_list.h"
 #include "experiment/options/option_table.h"
-#include "experiment/options/view_rows.h"
 
 namespace ink::python {
 

@@ -1,4 +1,4 @@
-#include "python/compare.h"
+#include "python/asked.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,6 @@
 #include "harness/cells/cell.h"
 #include "harness/rows/row_table.h"
 #include "methods/method_configs.h"
-#include "python/arrays.h"
 #include "python/buffers.h"
 
 namespace ink::python {

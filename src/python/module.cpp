@@ -19,10 +19,8 @@
 #include "harness/truths/tracing.h"
 #include "methods/method_configs.h"
 #include "methods/registry.h"
-#include "python/arrays.h"
 #include "python/asked.h"
 #include "python/buffers.h"
-#include "python/compare.h"
 #include "python/results.h"
 
 namespace ink::python {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "python/arrays.h"
+#include "python/buffers.h"
 #include "truth/line_class.h"
 
 namespace ink::python {

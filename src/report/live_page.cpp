@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
+#include <glm/gtc/matrix_access.hpp>
 #include <nlohmann/json.hpp>
+
 #include <span>
 #include <vector>
 
@@ -16,7 +17,6 @@
 #include "core/provenance.h"
 #include "core/vocabulary.h"
 #include "harness/images/view_images.h"
-#include "report/packed_mesh.h"
 #include "report/page_files.h"
 #include "report/page_template.h"
 #include "scene/animation.h"
@@ -77,9 +77,7 @@ Json view_json(const scene::View& view, const ViewLines& lines) {
     const scene::Camera& camera = view.camera;
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row)
-        rows.push_back({camera.view_from_world[0][row],
-                        camera.view_from_world[1][row],
-                        camera.view_from_world[2][row]});
+        rows.push_back(point(glm::row(camera.view_from_world, row)));
     Json paths = Json::object();
     for (const draw::ClassPath& path : lines)
         paths[std::string(path.line_class)] = path.path;

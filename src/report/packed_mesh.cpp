@@ -1,4 +1,4 @@
-#include "report/packed_mesh.h"
+#include "report/live_page.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/numbering.h"
-#include "report/deflate.h"
+#include "report/page_template.h"
 
 namespace ink::report {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "core/base64.h"
@@ -19,7 +19,6 @@
 #include "draw/error_image.h"
 #include "harness/images/view_images.h"
 #include "image_io/image_file.h"
-#include "report/deflate.h"
 #include "report/page_template.h"
 
 namespace ink::report {
@@ -66,9 +65,7 @@ std::string text_column(const std::vector<std::string>& fields) {
     return fmt::format("{{\"words\":{},\"at\":{}}}", json_array(words), json_array(at));
 }
 
-using Codes = core::Image<std::uint8_t>;
-
-std::string png_of(const Codes& codes) {
+std::string png_of(const core::Image<std::uint8_t>& codes) {
     const auto png = image_io::encode_png(codes);
     return core::base64(std::as_bytes(std::span(png)));
 }
@@ -82,25 +79,11 @@ struct PackedView {
     std::string images;  ///< members "truth", "images" and "inks"
 };
 
-/// The methods of a run that draw ink.
-std::set<std::string> ink_methods(const experiment::RunData& run) {
-    std::set<std::string> names;
-    const auto file = run.csv.find("methods.csv");
-    if (file == run.csv.end()) return names;
-    const core::CsvTable& table = file->second;
-    const std::size_t name = table.find("method"), ink = table.find("ink");
-    for (const auto& record : table.records) {
-        if (ink < record.size() && record[ink] == "true")
-            names.insert(core::unquoted(record[name]));
-    }
-    return names;
-}
-
-PackedView packed_view(const harness::ShownView& view, const std::set<std::string>& ink_methods) {
+PackedView packed_view(const harness::ShownView& view, const experiment::RunData& run) {
     const draw::ErrorMarker marker(view.labels, {});
     std::vector<std::string> inks(view.images.size(), "null");
     for (const auto& [method, image] : view.image_of) {
-        if (ink_methods.contains(method))
+        if (experiment::method_fact(run, method, "ink") == "true")
             inks[image] = fmt::format("\"{}\"", png_of(view.images[image].edge_response));
     }
     std::vector<std::string> pngs(view.images.size());
@@ -127,30 +110,26 @@ PackedView packed_view(const harness::ShownView& view, const std::set<std::strin
 
 /// One view of a run, of which the run folder may hold images.
 struct ViewPlace {
+    int rank = 0;  ///< in its scene
     std::size_t run = 0;
-    std::vector<harness::Row> rows;  ///< its methods
+    std::vector<harness::Row> rows = {};  ///< its methods
 };
 
 /// The views of all runs: the first of every scene, then the second of every scene, and so on.
 /// What comes late has no room first.
 std::vector<ViewPlace> view_places(const std::vector<experiment::RunData>& runs) {
-    std::vector<std::pair<int, ViewPlace>> places;
+    std::vector<ViewPlace> places;
     for (std::size_t run = 0; run < runs.size(); ++run) {
         std::map<std::pair<std::string, std::string>, std::size_t> index;
         std::map<std::string, int> views_of_scene;
         for (const harness::Row& row : runs[run].tables.rows) {
             const auto [at, is_new] = index.emplace(std::pair(row.scene, row.view), places.size());
-            if (is_new) places.push_back({views_of_scene[row.scene]++, {run, {}}});
-            places[at->second].second.rows.push_back(row);
+            if (is_new) places.push_back({views_of_scene[row.scene]++, run});
+            places[at->second].rows.push_back(row);
         }
     }
-    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
-        return a.first < b.first;
-    });
-    std::vector<ViewPlace> ordered;
-    for (auto& [rank, place] : places)
-        ordered.push_back(std::move(place));
-    return ordered;
+    std::ranges::stable_sort(places, {}, &ViewPlace::rank);
+    return places;
 }
 
 }  // namespace
@@ -196,22 +175,20 @@ PackedImages packed_images(const std::vector<experiment::RunData>& runs,
                            std::size_t budget_bytes) {
     PackedImages packed;
     std::vector<std::string> of_run(runs.size());
-    std::vector<std::set<std::string>> inks_of_run;
-    for (const experiment::RunData& run : runs)
-        inks_of_run.push_back(ink_methods(run));
     const std::vector<ViewPlace> places = view_places(runs);
     for (std::size_t at = 0; at < places.size(); at += kViewsAtOnce) {
         const std::size_t count = std::min(kViewsAtOnce, places.size() - at);
         std::array<PackedView, kViewsAtOnce> views;
         core::parallel_for(count, core::hardware_threads(), [&](std::size_t i) {
             const ViewPlace& place = places[at + i];
-            const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
-            if (view) views[i] = packed_view(*view, inks_of_run[place.run]);
+            const experiment::RunData& run = runs[place.run];
+            const auto view = harness::read_shown_view(run.folder, place.rows);
+            if (view) views[i] = packed_view(*view, run);
         });
         for (std::size_t i = 0; i < count; ++i) {
             auto& [head, images] = views[i];
             if (head.empty()) continue;
-            const auto& [run, rows] = places[at + i];
+            const auto& [rank, run, rows] = places[at + i];
             const auto& [scene, view] = std::pair(rows.front().scene, rows.front().view);
             if (images.size() <= budget_bytes) {
                 budget_bytes -= images.size();

@@ -1,5 +1,6 @@
 #include "report/page_template.h"
 
+#include <zlib.h>
 #include <nlohmann/json.hpp>
 
 namespace ink::report {
@@ -26,6 +27,17 @@ std::string page_json(const nlohmann::ordered_json& json) {
             safe += c;
     }
     return safe;
+}
+
+std::vector<std::uint8_t> deflated(std::span<const std::byte> bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::vector<std::uint8_t> packed(size);
+    compress(packed.data(),
+             &size,
+             reinterpret_cast<const Bytef*>(bytes.data()),  // NOLINT
+             bytes.size());
+    packed.resize(size);
+    return packed;
 }
 
 }  // namespace ink::report

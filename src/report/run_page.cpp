@@ -18,7 +18,7 @@
 #include "report/page_template.h"
 #include "report/text/take_home.h"
 #include "report/text/verdict.h"
-#include "summary/comparison.h"
+#include "summary/summary_csv.h"
 
 namespace ink::report {
 namespace {
@@ -30,14 +30,6 @@ constexpr std::size_t kImageBudget_bytes = 7'000'000;
 
 using Json = nlohmann::ordered_json;
 
-/// Of the first size and number of threads.
-std::vector<harness::Row> rows_shown(const experiment::RunData& run) {
-    experiment::RunTables kept;
-    kept.rows = run.tables.rows;
-    experiment::keep_one_place(kept);
-    return kept.rows;
-}
-
 /// What came of a run that compares nothing, as a heading and what stands below it; null of others.
 Json finding_json(const studies::Finding& finding) {
     if (finding.first.empty()) return nullptr;
@@ -45,16 +37,14 @@ Json finding_json(const studies::Finding& finding) {
 }
 
 Json home_json(const TakeHome& home) {
-    Json commands = Json::array();
-    for (const NextCommand& command : home.commands)
-        commands.push_back(Json::array({command.what, command.line}));
-    return {{"method", home.method}, {"address", home.address}, {"commands", commands}};
+    return {{"method", home.method}, {"address", home.address}, {"commands", home.commands}};
 }
 
 /// What the page says of a comparison, word for word as verdict.md; null of another run.
 Json words_json(const experiment::RunData& run, const fs::path& page_folder) {
     if (run.comparison.summaries.empty()) return nullptr;
-    const VerdictWords words = verdict_words(rows_shown(run), run.comparison);
+    const VerdictWords words =
+        verdict_words(experiment::rows_of_one_place(run.tables.rows), run.comparison);
     return {{"first", words.answer.first},
             {"rest", words.answer.rest},
             {"extent", words.extent},
@@ -89,7 +79,7 @@ Json diffs_json(const std::vector<experiment::RunData>& runs) {
     std::vector<experiment::RunData> kept(runs.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
         kept[i].record = runs[i].record;
-        kept[i].tables.rows = rows_shown(runs[i]);
+        kept[i].tables.rows = experiment::rows_of_one_place(runs[i].tables.rows);
     }
     for (const experiment::RunData& a : kept) {
         Json& of_first = diffs.emplace_back(Json::array());
@@ -135,8 +125,9 @@ Json live_json(const experiment::RunData& run, const fs::path& page_folder) {
 /// those of the first.
 experiment::CsvTables missing_summaries(const experiment::RunData& run) {
     if (run.comparison.summaries.empty() || run.csv.contains("summary.csv")) return {};
-    return experiment::split_tables(summary::comparison_tables(rows_shown(run), run.comparison),
-                                    run.folder);
+    return experiment::split_tables(
+        summary::comparison_tables(experiment::rows_of_one_place(run.tables.rows), run.comparison),
+        run.folder);
 }
 
 Json tables_json(const experiment::RunData& run) {

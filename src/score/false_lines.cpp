@@ -82,17 +82,4 @@ std::vector<std::int64_t> life_counts(std::span<const FalseLine> lines) {
     return counts;
 }
 
-std::optional<double> median_life(std::span<const std::int64_t> lives) {
-    const std::int64_t n = std::accumulate(lives.begin(), lives.end(), std::int64_t{0});
-    if (n == 0) return std::nullopt;
-    // The life of the line that has `below` others before it, from short to long.
-    const auto life_of = [&](std::int64_t below) {
-        std::size_t i = 0;
-        for (std::int64_t seen = lives[0]; seen <= below; seen += lives[i])
-            ++i;
-        return static_cast<double>(i + 1);
-    };
-    return (life_of((n - 1) / 2) + life_of(n / 2)) / 2;
-}
-
 }  // namespace ink::score

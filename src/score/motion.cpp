@@ -129,11 +129,6 @@ PopCount& PopCount::operator+=(const PopCount& other) {
     return *this;
 }
 
-std::optional<double> PopCount::per_second(double frames_per_s) const {
-    if (steps == 0) return std::nullopt;
-    return static_cast<double>(pops) * frames_per_s / static_cast<double>(steps);
-}
-
 PopCount count_pops(std::span<const std::vector<FeatureSight>> frames, const PopRules& rules) {
     PopCount count;
     std::map<Feature, Run> runs;
@@ -194,15 +189,9 @@ Flicker flicker(std::span<const MotionFrame> frames, double tolerance_px) {
 }
 
 InkChange& InkChange::operator+=(const InkChange& other) {
-    drawn_px += other.drawn_px;
     true_px += other.true_px;
     beyond_px += other.beyond_px;
     return *this;
-}
-
-std::optional<double> InkChange::share() const {
-    if (true_px <= 0) return std::nullopt;
-    return beyond_px / true_px;
 }
 
 InkChange ink_change(const core::Image<float>& drawn_before,
@@ -215,7 +204,7 @@ InkChange ink_change(const core::Image<float>& drawn_before,
         if (before.counts.data()[i] == 0 || after.counts.data()[i] == 0) continue;
         const double drawn = double{drawn_after.data()[i]} - double{drawn_before.data()[i]};
         const double own = double{after.coverage.data()[i]} - double{before.coverage.data()[i]};
-        change += {std::abs(drawn), std::abs(own), std::abs(drawn - own)};
+        change += {std::abs(own), std::abs(drawn - own)};
     }
     return change;
 }

@@ -60,13 +60,10 @@ struct Flicker {
 
 /// How the ink of grey frames changes, in pixels' areas.
 struct InkChange {
-    double drawn_px = 0;   ///< sum of |change of the drawn share| over pixels
-    double true_px = 0;    ///< of the true share
+    double true_px = 0;    ///< sum of |change of the true share| over pixels
     double beyond_px = 0;  ///< sum of |drawn change - true change|
 
     InkChange& operator+=(const InkChange& other);
-    /// The change beyond the truth's own as a share of that; nothing if the truth stands still.
-    [[nodiscard]] std::optional<double> share() const;
     [[nodiscard]] bool operator==(const InkChange&) const = default;
 };
 
@@ -99,10 +96,6 @@ struct FalseLine {
 
 /// How many lines lived 1, 2, .. frames: entry i is a life of i + 1. As long as the longest life.
 [[nodiscard]] std::vector<std::int64_t> life_counts(std::span<const FalseLine> lines);
-
-/// The median life in frames of lines counted so, of an even number of lines the mean of the two in
-/// the middle; nothing if there are no lines. Cut lives count as long as they were seen.
-[[nodiscard]] std::optional<double> median_life(std::span<const std::int64_t> lives);
 
 /// What makes a line of one frame the same line in another: its class and its mesh edge, or, for an
 /// intersection, its two triangles (lower first). What is not used is kNoEdge and kNoTriangle.
@@ -153,8 +146,6 @@ struct PopCount {
     std::int64_t steps = 0;  ///< from frame to frame in these runs
 
     PopCount& operator+=(const PopCount& other);
-    /// Pops per feature and second; nothing if no feature persists.
-    [[nodiscard]] std::optional<double> per_second(double frames_per_s) const;
     [[nodiscard]] bool operator==(const PopCount&) const = default;
 };
 

@@ -96,4 +96,11 @@ struct Axis {
 /// A value of an axis as people read it: "1e-07", "20 deg", "zbuffer16 z16".
 [[nodiscard]] std::string format_value(const Axis& axis, double value);
 
+/// All axes of difficulty in the order of the design; names are unique, and each has eight values
+/// at least.
+[[nodiscard]] const std::vector<Axis>& stress_axes();
+
+/// The axis called `name`. Throws core::Error that lists the known ones.
+[[nodiscard]] const Axis& find_stress_axis(const std::string& name);
+
 }  // namespace ink::studies

@@ -9,7 +9,7 @@
 
 #include "core/text_table.h"
 #include "statistics/bootstrap.h"
-#include "studies/stress/stress_axes.h"
+#include "studies/axis.h"
 
 namespace ink::studies {
 namespace {

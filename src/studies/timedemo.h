@@ -80,9 +80,6 @@ struct DemoRate {
 [[nodiscard]] std::string timedemo_heading(const harness::SceneViews& scene_views,
                                            const TimedemoOptions& options);
 
-/// The columns of timedemo.csv.
-[[nodiscard]] const core::TableInfo& timedemo_frames_table();
-
 /// Writes timedemo.csv: a line per frame, pass, path and method.
 void write_timedemo(const harness::SceneViews& scene_views,
                     const std::vector<DemoFrame>& frames,

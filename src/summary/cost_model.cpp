@@ -9,7 +9,6 @@
 #include <set>
 
 #include "core/tables/csv.h"
-#include "core/tables/table_of.h"
 
 namespace ink::summary {
 namespace {
@@ -93,29 +92,6 @@ std::vector<CostSample> samples_without(const std::vector<Cell>& cells, const Fo
         if (cell.fold != fold) samples.push_back(cell.sample);
     }
     return samples;
-}
-
-core::TableOf<CostPrediction> make_predictions_table() {
-    using P = CostPrediction;
-    core::TableOf<P> table(
-        "predictions.csv",
-        "A line per cell of a method, and per setting of sweep.csv, whose time the cost model "
-        "predicts from what cost.csv (or sweep.csv) has of it.");
-    table.add_derived({"cell", "", "of rows.csv"}, &P::cell);
-    table.part_if([](const P& of) { return of.setting != 0; })
-        .add_derived({"setting", "", "as in sweep.csv; empty for the method's own"}, &P::setting);
-    table.add_derived({"predicted_ns",
-                       "ns",
-                       "draw_ns_min by the cost model, fitted without this scene (or view)",
-                       true},
-                      &P::predicted_ns);
-    table.add_derived({"cost_residual", "", "draw_ns_min over that, less 1", true}, &P::residual);
-    return table;
-}
-
-const core::TableOf<CostPrediction>& predictions() {
-    static const core::TableOf<CostPrediction> kTable = make_predictions_table();
-    return kTable;
 }
 
 }  // namespace
@@ -227,7 +203,6 @@ const core::TableInfo& cost_fit_table() {
 
 std::string cost_fit_csv(const CostFit& fit) {
     std::string text = core::heading(cost_fit_table());
-    if (fit.cells == 0) return text;
     for (std::size_t i = 0; i < kCostUnits; ++i) {
         text += fmt::format("{},{},{},{},{}\n",
                             cost_units()[i].name,
@@ -239,12 +214,27 @@ std::string cost_fit_csv(const CostFit& fit) {
     return text;
 }
 
-const core::TableInfo& predictions_table() {
-    return predictions().info();
-}
-
-std::string predictions_csv(const CostFit& fit) {
-    return predictions().file(fit.predictions);
+const core::TableOf<CostPrediction>& predictions_table() {
+    static const auto kTable = [] {
+        using P = CostPrediction;
+        core::TableOf<P> table(
+            "predictions.csv",
+            "A line per cell of a method, and per setting of sweep.csv, whose time the cost model "
+            "predicts from what cost.csv (or sweep.csv) has of it.");
+        table.add_derived({"cell", "", "of rows.csv"}, &P::cell);
+        table.part_if([](const P& of) { return of.setting != 0; })
+            .add_derived({"setting", "", "as in sweep.csv; empty for the method's own"},
+                         &P::setting);
+        table.add_derived({"predicted_ns",
+                           "ns",
+                           "draw_ns_min by the cost model, fitted without this scene (or view)",
+                           true},
+                          &P::predicted_ns);
+        table.add_derived({"cost_residual", "", "draw_ns_min over that, less 1", true},
+                          &P::residual);
+        return table;
+    }();
+    return kTable;
 }
 
 }  // namespace ink::summary

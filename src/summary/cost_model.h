@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/tables/table.h"
+#include "core/tables/table_of.h"
 #include "harness/cells/frame_counts.h"
 #include "harness/rows/row.h"
 
@@ -79,7 +79,6 @@ struct CostFit {
 [[nodiscard]] std::string cost_fit_csv(const CostFit& fit);
 
 /// predictions.csv: a line per cell and setting that a time is predicted of.
-[[nodiscard]] const core::TableInfo& predictions_table();
-[[nodiscard]] std::string predictions_csv(const CostFit& fit);
+[[nodiscard]] const core::TableOf<CostPrediction>& predictions_table();
 
 }  // namespace ink::summary

@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "core/tables/table_of.h"
 #include "statistics/simultaneous.h"
 #include "summary/summary.h"
 
@@ -128,40 +127,6 @@ std::vector<std::string> methods_best_first(std::vector<MethodSummary> summaries
     return names;
 }
 
-const core::TableOf<PairedDifference>& columns() {
-    static const auto kTable = [] {
-        using D = PairedDifference;
-        core::TableOf<D> table(
-            "differences.csv",
-            "A line per ordered pair of methods with a view in common, the best method first: by "
-            "how much the pooled F within 2 px of one exceeds that of the other.");
-        table.add({"method", "", "as in rows.csv"}, &D::a);
-        table.add({"other", "", "the method it is compared with"}, &D::b);
-        table.add({"difference", "-1..1", "F of `method` less that of `other`"}, &D::difference);
-        const auto range = table.part(&D::range);
-        range.add({"lo",
-                   "-1..1",
-                   "lower end of its nominal 95 % interval, scenes resampled for both together; "
-                   "empty with "
-                   "fewer than six scenes"},
-                  &statistics::Interval::low);
-        range.add({"hi", "-1..1", "upper end"}, &statistics::Interval::high);
-        const auto range_of_all = table.part(&D::range_of_all);
-        range_of_all.add({"lo_of_all",
-                          "-1..1",
-                          "lower end of the interval that is to hold together with those of all "
-                          "other lines; above 0, `method` leads"},
-                         &statistics::Interval::low);
-        range_of_all.add({"hi_of_all", "-1..1", "upper end; below 0, `other` leads"},
-                         &statistics::Interval::high);
-        table.add({"scenes", "", "of which both have views"}, &D::scenes);
-        table.add({"better", "", "of these, on which F of `method` is higher"}, &D::better);
-        table.add({"worse", "", "and on which it is lower"}, &D::worse);
-        return table;
-    }();
-    return kTable;
-}
-
 }  // namespace
 
 double PairedScenes::f_a() const {
@@ -220,19 +185,45 @@ std::vector<PairedDifference> all_paired_differences(const std::vector<harness::
     return differences;
 }
 
-const core::TableInfo& differences_table() {
-    return columns().info();
+const core::TableOf<PairedDifference>& differences_table() {
+    static const auto kTable = [] {
+        using D = PairedDifference;
+        core::TableOf<D> table(
+            "differences.csv",
+            "A line per ordered pair of methods with a view in common, the best method first: by "
+            "how much the pooled F within 2 px of one exceeds that of the other.");
+        table.add({"method", "", "as in rows.csv"}, &D::a);
+        table.add({"other", "", "the method it is compared with"}, &D::b);
+        table.add({"difference", "-1..1", "F of `method` less that of `other`"}, &D::difference);
+        const auto range = table.part(&D::range);
+        range.add({"lo",
+                   "-1..1",
+                   "lower end of its nominal 95 % interval, scenes resampled for both together; "
+                   "empty with "
+                   "fewer than six scenes"},
+                  &statistics::Interval::low);
+        range.add({"hi", "-1..1", "upper end"}, &statistics::Interval::high);
+        const auto range_of_all = table.part(&D::range_of_all);
+        range_of_all.add({"lo_of_all",
+                          "-1..1",
+                          "lower end of the interval that is to hold together with those of all "
+                          "other lines; above 0, `method` leads"},
+                         &statistics::Interval::low);
+        range_of_all.add({"hi_of_all", "-1..1", "upper end; below 0, `other` leads"},
+                         &statistics::Interval::high);
+        table.add({"scenes", "", "of which both have views"}, &D::scenes);
+        table.add({"better", "", "of these, on which F of `method` is higher"}, &D::better);
+        table.add({"worse", "", "and on which it is lower"}, &D::worse);
+        return table;
+    }();
+    return kTable;
 }
 
 core::TableInfo soft_differences_table() {
-    core::TableInfo table = columns().info();
+    core::TableInfo table = differences_table().info();
     table.file = "soft_differences.csv";
     table.doc = "differences.csv of soft F; only with coverage.";
     return table;
-}
-
-std::string differences_csv(const std::vector<PairedDifference>& differences) {
-    return columns().file(differences);
 }
 
 std::string format_paired_difference(const PairedDifference& paired, bool has_zeros) {

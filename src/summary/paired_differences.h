@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/tables/table.h"
+#include "core/tables/table_of.h"
 #include "harness/rows/row.h"
 #include "score/score.h"
 #include "statistics/spread.h"
@@ -70,9 +70,8 @@ struct PairedDifference {
 
 /// differences.csv and, of soft F, soft_differences.csv: the same as a table of the run folder. No
 /// differences give the heading alone.
-[[nodiscard]] const core::TableInfo& differences_table();
+[[nodiscard]] const core::TableOf<PairedDifference>& differences_table();
 [[nodiscard]] core::TableInfo soft_differences_table();
-[[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
 
 /// "+.012 [+.002, +.021]", the interval of the pair by itself; the difference alone
 /// where there is none. `has_zeros`: "+0.012 [+0.002, +0.021]".

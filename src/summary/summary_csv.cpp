@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 
-#include "core/tables/table_of.h"
 #include "core/vocabulary.h"
 #include "harness/images/view_images.h"
 #include "statistics/bootstrap.h"
@@ -206,21 +206,6 @@ core::TableOf<KindLine> kind_columns(bool has_soft_f) {
     return table;
 }
 
-const core::TableOf<Unscored>& unscored_columns() {
-    static const auto kTable = [] {
-        core::TableOf<Unscored> table(
-            "unscored.csv", "A view without any score, or a method without one on a view.");
-        table.add({"scene", "", "the scene"}, &Unscored::scene);
-        table.add({"view", "", "the view"}, &Unscored::view);
-        table.add({"method", "", "the method; empty where the whole view has no score"},
-                  &Unscored::method);
-        table.add({"reason", "", "status of its rows"}, &Unscored::reason);
-        table.add({"remedy", "", "what may help"}, &Unscored::remedy);
-        return table;
-    }();
-    return kTable;
-}
-
 }  // namespace
 
 const core::TableInfo& summary_table(bool has_soft_f) {
@@ -293,12 +278,19 @@ bool is_all_unscored(const std::vector<harness::Row>& rows) {
                rows, [&](const harness::Row& row) { return is_of_method(row) && row.is_ok(); });
 }
 
-const core::TableInfo& unscored_table() {
-    return unscored_columns().info();
-}
-
-std::string unscored_csv(const std::vector<Unscored>& cells) {
-    return unscored_columns().file(cells);
+const core::TableOf<Unscored>& unscored_table() {
+    static const auto kTable = [] {
+        core::TableOf<Unscored> table(
+            "unscored.csv", "A view without any score, or a method without one on a view.");
+        table.add({"scene", "", "the scene"}, &Unscored::scene);
+        table.add({"view", "", "the view"}, &Unscored::view);
+        table.add({"method", "", "the method; empty where the whole view has no score"},
+                  &Unscored::method);
+        table.add({"reason", "", "status of its rows"}, &Unscored::reason);
+        table.add({"remedy", "", "what may help"}, &Unscored::remedy);
+        return table;
+    }();
+    return kTable;
 }
 
 std::string unscored_text(const std::vector<Unscored>& cells) {
@@ -312,6 +304,30 @@ std::string unscored_text(const std::vector<Unscored>& cells) {
                             cell.remedy);
     }
     return text;
+}
+
+Measure Comparison::measure() const {
+    const auto is_soft = [](const MethodSummary& s) { return s.measure() == Measure::soft_f; };
+    return std::ranges::any_of(summaries, is_soft) ? Measure::soft_f : Measure::f_2px;
+}
+
+Comparison compare_methods(const std::vector<harness::Row>& rows, const AnswerRule& rule) {
+    Comparison made{rule, summarise(rows)};
+    const std::uint64_t seed = rows.empty() ? 0 : rows.front().seed;
+    made.differences = all_paired_differences(rows, made.summaries, Measure::f_2px);
+    made.soft_differences = all_paired_differences(rows, made.summaries, Measure::soft_f);
+    made.shares = answer_shares(made.summaries, rule, seed);
+    return made;
+}
+
+std::map<std::string, std::string> comparison_tables(const std::vector<harness::Row>& rows,
+                                                     const Comparison& comparison) {
+    std::map<std::string, std::string> tables = {
+        {"summary.csv", summary_csv(rows, comparison)},
+        {"differences.csv", differences_table().file(comparison.differences)}};
+    if (comparison.measure() == Measure::soft_f)
+        tables["soft_differences.csv"] = differences_table().file(comparison.soft_differences);
+    return tables;
 }
 
 }  // namespace ink::summary

@@ -1,13 +1,39 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/tables/table.h"
+#include "core/tables/table_of.h"
 #include "harness/rows/row.h"
-#include "summary/comparison.h"
+#include "summary/answer.h"
+#include "summary/paired_differences.h"
+#include "summary/summary.h"
 
 namespace ink::summary {
+
+/// What the rows of a comparison say together: worked out once, then written, printed and drawn.
+struct Comparison {
+    AnswerRule rule = {};
+    std::vector<MethodSummary> summaries = {};
+    std::vector<PairedDifference> differences = {};       ///< of F at 2 px, of all pairs
+    std::vector<PairedDifference> soft_differences = {};  ///< of soft F, where that is there
+    std::vector<double> shares = {};                      ///< of each summary: answer_shares()
+
+    /// Points into the summaries.
+    [[nodiscard]] Answer answer() const { return find_answer(summaries, rule); }
+    /// By what methods are judged: soft F where they have it.
+    [[nodiscard]] Measure measure() const;
+};
+
+/// Of rows of one size and number of threads.
+[[nodiscard]] Comparison compare_methods(const std::vector<harness::Row>& rows,
+                                         const AnswerRule& rule = {});
+
+/// summary.csv, differences.csv and what else its methods have, by name: `rows` are its rows.
+[[nodiscard]] std::map<std::string, std::string> comparison_tables(
+    const std::vector<harness::Row>& rows, const Comparison& comparison);
 
 /// The columns of summary.csv: method, kind, on how much it was scored; F, precision, recall, time
 /// and bytes, with their intervals; soft F where methods have it.
@@ -46,9 +72,7 @@ struct Unscored {
 [[nodiscard]] bool is_all_unscored(const std::vector<harness::Row>& rows);
 
 /// unscored.csv: the same as a table of the run folder.
-[[nodiscard]] const core::TableInfo& unscored_table();
-[[nodiscard]] std::string unscored_csv(const std::vector<Unscored>& cells);
-
+[[nodiscard]] const core::TableOf<Unscored>& unscored_table();
 /// For a terminal: a line per entry, its remedy below; "" if all have scores.
 [[nodiscard]] std::string unscored_text(const std::vector<Unscored>& cells);
 

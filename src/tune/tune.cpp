@@ -12,7 +12,6 @@
 #include "core/whole_file.h"
 #include "harness/cells/cell.h"
 #include "methods/presets.h"
-#include "tune/tune_folder.h"
 #include "tune/tune_report.h"
 
 namespace ink::tune {

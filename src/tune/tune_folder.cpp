@@ -1,4 +1,4 @@
-#include "tune/tune_folder.h"
+#include "tune/tune_report.h"
 
 #include <sstream>
 #include <utility>
@@ -13,7 +13,6 @@
 #include "harness/rows/methods_table.h"
 #include "harness/rows/row_table.h"
 #include "harness/scores/evaluations.h"
-#include "tune/tune_report.h"
 
 namespace ink::tune {
 namespace {

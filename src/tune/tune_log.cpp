@@ -84,19 +84,11 @@ TuneLog::TuneLog(std::filesystem::path path, const std::string& key) : path_(std
 }
 
 void TuneLog::read(const std::string& key) {
-    const std::string text = core::read_whole_file(path_).value_or("");
-    bool is_first = true;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = text.find('\n', begin);
-        if (end == std::string::npos) return;  // killed while writing it
-        const std::string_view line(text.data() + begin, end - begin);
-        if (is_first && line != heading(key)) return;
-        if (!is_first) {
-            if (const auto found = parse_line(line)) values_.insert(*found);
-        }
-        is_first = false;
-        begin = end + 1;
-    }
+    std::istringstream text(core::read_whole_file(path_).value_or(""));
+    std::string line;
+    if (!std::getline(text, line) || line != heading(key)) return;
+    while (std::getline(text, line) && !text.eof())  // at its end one was killed while writing
+        if (const auto found = parse_line(line)) values_.insert(*found);
 }
 
 std::optional<TuneValue> TuneLog::find(const std::string& settings) const {

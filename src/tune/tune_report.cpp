@@ -8,7 +8,6 @@
 #include "methods/presets.h"
 #include "statistics/bootstrap.h"
 #include "summary/paired_differences.h"
-#include "tune/tune_folder.h"
 
 namespace ink::tune {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "core/named.h"
-#include "experiment/asked.h"
 #include "experiment/experiment.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/options/option_table.h"

@@ -15,7 +15,6 @@
 #include "core/tables/csv_table.h"
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
-#include "experiment/folder_lock.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "experiment/options/model_list.h"
+#include "experiment/options/option_table.h"
 
 #include <gmock/gmock.h>
 

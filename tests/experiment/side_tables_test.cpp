@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "linear_code/cancellation_study.h"
-#include "studies/axis_tables.h"
+#include "studies/axis_rows.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 

@@ -7,7 +7,6 @@
 #include "bake/coded_mesh.h"
 #include "catalogue/catalogue.h"
 #include "core/error.h"
-#include "report/packed_mesh.h"
 #include "tests/report/made_up_rows.h"
 #include "tests/scene/small_meshes.h"
 

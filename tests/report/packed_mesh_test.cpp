@@ -1,4 +1,4 @@
-#include "report/packed_mesh.h"
+#include "report/live_page.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
 #include <set>
 
 #include "core/error.h"
@@ -101,8 +102,8 @@ TEST_F(RunPage, SaysWhatTheAnswerIsAndWhatToDoWithIt) {
     EXPECT_EQ(home.address, "../../methods/mote4/mote4.md");
     const std::string run = run_.folder.string();
     std::vector<std::string> lines;
-    for (const NextCommand& command : home.commands)
-        lines.push_back(command.line);
+    for (const auto& [what, line] : home.commands)
+        lines.push_back(line);
     EXPECT_THAT(lines,
                 testing::ElementsAre("inkbench page 'my models/spot.obj' --run " + run,
                                      "inkbench bake 'my models/spot.obj' -o spot.ink.glb --edges",

@@ -156,19 +156,16 @@ TEST(InkChange, OfTheTruthItselfIsItsOwnAndOfAStillImageLacksAllOfIt) {
     const score::InkTruth after = level_ink(16.125);
     const auto own = ink_change(before.coverage, before, after.coverage, after);
     EXPECT_NEAR(own.true_px, 32 * (0.125 + 0.125), 0.01);  // on one side more, on the other less
-    EXPECT_EQ(own, (score::InkChange{own.true_px, own.true_px, 0}));
-    EXPECT_EQ(own.share(), 0);
+    EXPECT_EQ(own.beyond_px, 0);
     const auto still = ink_change(before.coverage, before, before.coverage, after);
-    EXPECT_EQ(still, (score::InkChange{0, own.true_px, own.true_px}));
-    EXPECT_EQ(still.share(), 1);
+    EXPECT_EQ(still, (score::InkChange{own.true_px, own.true_px}));
 }
 
-TEST(InkChange, BeforeAStillTruthIsAllBeyondAndNoShare) {
+TEST(InkChange, BeforeAStillTruthIsAllBeyond) {
     const score::InkTruth truth = level_ink(16);
     EXPECT_EQ(ink_change(truth.coverage, truth, truth.coverage, truth), score::InkChange{});
     const auto drawn = ink_change(truth.coverage, truth, level_ink(20).coverage, truth);
     EXPECT_NEAR(drawn.beyond_px, 2 * 32 * 1.5, 0.01);
-    EXPECT_EQ(drawn.share(), std::nullopt);
 }
 
 TEST(InkChange, IsOfPixelsThatCountInBothFrames) {
@@ -231,16 +228,12 @@ TEST(FalseLines, ThatMergeAreOneLine) {
     EXPECT_EQ(lines[0].n_px, 3 * kSize_px);
 }
 
-TEST(FalseLines, LivesAreCountedAndHaveAMedian) {
+TEST(FalseLines, LivesAreCounted) {
     const std::vector<score::FalseLine> lines = {{.first_frame = 0, .last_frame = 0},
                                                  {.first_frame = 2, .last_frame = 3},
                                                  {.first_frame = 4, .last_frame = 4},
                                                  {.first_frame = 1, .last_frame = 5}};
     EXPECT_EQ(score::life_counts(lines), (std::vector<std::int64_t>{2, 1, 0, 0, 1}));
-    EXPECT_EQ(score::median_life(score::life_counts(lines)), 1.5);
-    EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).first(3))), 1.0);
-    EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).subspan(3))), 5.0);
-    EXPECT_EQ(score::median_life({}), std::nullopt);
     EXPECT_TRUE(score::life_counts({}).empty());
 }
 

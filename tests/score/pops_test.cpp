@@ -148,18 +148,14 @@ TEST(Pops, AFeatureThatIsAwayStartsAnew) {
 TEST(Pops, RunsTooShortToPopDoNotCount) {
     EXPECT_EQ(pops_of("SD.DS.S"), PopCount{});
     EXPECT_EQ(pops_of(""), PopCount{});
-    EXPECT_EQ(pops_of("SD").per_second(60), std::nullopt);
 }
 
-TEST(Pops, AreCountedPerFeatureAndSecond) {
-    // Two features over five frames, three pops: 3 / (2 * 4 steps / 60 Hz) = 22.5.
+TEST(Pops, AreCountedPerFeature) {
     auto frames = sequence_of("SDSDS", 1);
     const auto second = sequence_of("SSDSS", 2);
     for (std::size_t t = 0; t < frames.size(); ++t)
         frames[t].push_back(second[t].front());
-    const PopCount count = score::count_pops(frames);
-    EXPECT_EQ(count, (PopCount{.pops = 3, .runs = 2, .steps = 8}));
-    EXPECT_DOUBLE_EQ(count.per_second(60).value(), 22.5);
+    EXPECT_EQ(score::count_pops(frames), (PopCount{.pops = 3, .runs = 2, .steps = 8}));
 }
 
 TEST(Pops, AreTheSameBackwards) {

@@ -9,9 +9,7 @@
 #include <map>
 #include <memory>
 
-#include "studies/axis_tables.h"
-#include "studies/stress/stress_axes.h"
-#include "studies/stress/stress_counts.h"
+#include "studies/axis.h"
 #include "tests/harness/made_up_method.h"
 
 namespace ink::studies {

@@ -8,7 +8,6 @@
 
 #include "catalogue/catalogue.h"
 #include "harness/rows/row_table.h"
-#include "studies/motion_table.h"
 
 namespace ink::studies {
 namespace {
@@ -125,8 +124,8 @@ TEST(StudySequence, InkChangesBesideThatOfTheTruth) {
     options.line_width_px = 1;  // as `strokes` draws them
     Sequence turning = torus(3);
     const auto rows = study_sequence(configs, turning, options);
-    EXPECT_GT(rows[1].ink->share().value(), 1);
-    EXPECT_LT(rows[0].ink->share().value(), 0.5) << "even of triangles of a pixel";
+    EXPECT_GT(rows[1].ink->beyond_px, rows[1].ink->true_px);
+    EXPECT_LT(rows[0].ink->beyond_px, 0.5 * rows[0].ink->true_px) << "even of triangles of a pixel";
     EXPECT_GT(rows[0].soft->f().value(), rows[1].soft->f().value());
     const MotionRow& oracle = rows.back();
     EXPECT_GT(oracle.ink->true_px, 0);

@@ -1,4 +1,4 @@
-#include "studies/stress/stress_axes.h"
+#include "studies/axis.h"
 
 #include <gmock/gmock.h>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "methods/method_configs.h"
+#include "studies/axis.h"
 #include "studies/axis_rows.h"
-#include "studies/stress/stress_axes.h"
 
 // experiments/notes/stress.md says why methods fail on an axis. Each reason is held here by
 // something that would come out otherwise if it were wrong: another axis, another setting, another

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "studies/motion_table.h"
+#include "studies/motion_study.h"
 
 namespace ink::studies {
 namespace {
@@ -27,7 +27,7 @@ TEST(MotionTable, IsEmptyBehindTheSequenceWhereACellFailed) {
     EXPECT_EQ(motion_table().line(4, row), "4,10,60,0.25,0.005,30,20,7,10000,2,5,60,6,2\n");
     EXPECT_EQ(life_lines(4, row), "4,1,4\n4,3,1\n4,4,1\n");
     EXPECT_EQ(ink_motion_table().line(4, row), "4,,\n");
-    row.ink = {.drawn_px = 9, .true_px = 8, .beyond_px = 2};
+    row.ink = {.true_px = 8, .beyond_px = 2};
     EXPECT_EQ(ink_motion_table().line(4, row), "4,8,2\n");
     row.status = "failed";
     EXPECT_EQ(motion_table().line(4, row), "4,10,60,0.25,,,,,,,,,,\n");

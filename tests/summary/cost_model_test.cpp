@@ -175,7 +175,7 @@ TEST(PredictCosts, LeavesBaselinesAndUndeclaredMethodsOutAndPredictsSettings) {
 TEST(PredictionsTable, HasALinePerCellAndSetting) {
     CostFit fit;
     fit.predictions = {{3, 0, 1500, 0.25}, {3, 2, 1000, -0.5}};
-    EXPECT_EQ(predictions_csv(fit),
+    EXPECT_EQ(predictions_table().file(fit.predictions),
               "cell,setting,predicted_ns,cost_residual\n3,,1500,0.25\n3,2,1000,-0.5\n");
 }
 

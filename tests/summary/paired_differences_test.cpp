@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "summary/comparison.h"
+#include "summary/summary_csv.h"
 
 namespace ink::summary {
 namespace {
@@ -114,9 +114,9 @@ TEST(AllPairedDifferences, SayOnHowManyScenesEitherIsBetter) {
 TEST(DifferencesCsv, HasALineAPairAndEmptyFieldsWithoutAnInterval) {
     const std::string heading =
         "method,other,difference,lo,hi,lo_of_all,hi_of_all,scenes,better,worse\n";
-    EXPECT_EQ(differences_csv({}), heading);
+    EXPECT_EQ(differences_table().file({}), heading);
     const statistics::Interval range{0.125, 0.5}, of_all{0.0625, 0.75};
-    EXPECT_EQ(differences_csv(
+    EXPECT_EQ(differences_table().file(
                   {{"a", "b", 0.25, range, of_all, 9, 6, 3}, {"b", "a", -0.25, std::nullopt}}),
               heading + "a,b,0.25,0.125,0.5,0.0625,0.75,9,6,3\n" + "b,a,-0.25,,,,,0,0,0\n");
 }

@@ -19,7 +19,7 @@
 #include "draw/drawing.h"
 #include "draw/error_image.h"
 #include "experiment/experiment_run.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "experiment/run_data.h"
 #include "harness/clock/timing.h"
 #include "harness/images/view_images.h"

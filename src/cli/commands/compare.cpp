@@ -8,7 +8,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "harness/cells/cell.h"
 
 namespace ink::cli {

@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "harness/cells/skip_switches.h"
 #include "image_io/image_file.h"
 #include "methods/method_configs.h"

@@ -11,7 +11,7 @@
 #include "cli/options/method_options.h"
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "inspect/explain.h"
 #include "methods/method_configs.h"
 

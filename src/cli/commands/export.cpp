@@ -14,7 +14,7 @@
 #include "draw/exr_layers.h"
 #include "entrants/view_files.h"
 #include "experiment/experiment_plan.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "harness/images/out_folder.h"
 #include "harness/images/view_images.h"
 #include "harness/truths/tracing.h"

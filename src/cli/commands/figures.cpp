@@ -24,10 +24,10 @@
 #include "core/program_folder.h"
 #include "core/split_list.h"
 #include "core/whole_file.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "experiment/run_data.h"
 #include "harness/cells/cell.h"
-#include "summary/comparison.h"
+#include "summary/summary_csv.h"
 
 namespace ink::cli {
 namespace {

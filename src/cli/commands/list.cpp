@@ -26,7 +26,7 @@
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "shade/shading.h"
-#include "studies/stress/stress_axes.h"
+#include "studies/axis.h"
 
 namespace ink::cli {
 namespace {

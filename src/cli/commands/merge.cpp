@@ -3,7 +3,7 @@
 #include "cli/commands/commands.h"
 #include "cli/options/command_rows.h"
 #include "cli/options/options.h"
-#include "cli/run_result.h"
+#include "cli/options/run_options.h"
 #include "experiment/experiment_run.h"
 
 namespace ink::cli {

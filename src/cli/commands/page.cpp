@@ -15,7 +15,7 @@
 #include "core/whole_file.h"
 #include "draw/outline_svg.h"
 #include "experiment/experiment_plan.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "experiment/run_data.h"
 #include "harness/truths/tracing.h"
 #include "report/live_page.h"

@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "experiment/experiment_plan.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "harness/images/out_folder.h"
 #include "image_io/image_file.h"
 #include "score/coverage.h"

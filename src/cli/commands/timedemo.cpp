@@ -15,7 +15,7 @@
 #include "cli/place.h"
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "harness/cells/skip_switches.h"
 #include "harness/images/out_folder.h"
 #include "methods/method_configs.h"

@@ -19,7 +19,7 @@
 #include "draw/exr_layers.h"
 #include "draw/outline_svg.h"
 #include "experiment/experiment_plan.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "harness/images/out_folder.h"
 #include "harness/images/view_images.h"
 #include "harness/truths/tracing.h"

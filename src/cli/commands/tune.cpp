@@ -18,7 +18,7 @@
 #include "core/parallel.h"
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
-#include "experiment/options/view_rows.h"
+#include "experiment/options/option_table.h"
 #include "experiment/run_data.h"
 #include "methods/method_configs.h"
 #include "methods/presets.h"
@@ -41,19 +41,13 @@ struct TuneArgs {
     ExperimentOptions options{usual_search()};
     std::string method;                ///< by itself, unless --method is there: a scene then
     std::vector<std::string> methods;  ///< by --method
-    std::string parameters;
     std::vector<std::string> settings;
-    tune::TuneObjective objective = tune::TuneObjective::pooled;
-    std::optional<double> budget_ms;
-    int evaluations = 300;
-    std::string global = "crs";
     bool no_random = false;
     SceneOptions scenes;
     std::vector<std::string> unseen;
-    std::string name;
     std::string out;
-    bool is_forced = false;
     CacheOptions cache;
+    tune::TuneOptions tune;  ///< the rest, as the search takes it
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
@@ -76,7 +70,7 @@ std::vector<std::string> scenes_of(const TuneArgs& args) {
 
 /// The preset is called after its models, in letters that a method's name may have.
 std::string name_of(const TuneArgs& args) {
-    if (!args.name.empty()) return args.name;
+    if (!args.tune.name.empty()) return args.tune.name;
     std::string name = method_of(args) + "_" + name_after(scenes_of(args), "tuned");
     for (char& c : name) {
         const auto letter = static_cast<unsigned char>(c);
@@ -93,26 +87,21 @@ method::MethodConfig with_crease(const method::MethodConfig& config, double crea
 
 tune::TuneOptions tune_options(const TuneArgs& args) {
     const experiment::Experiment asked = args.options.read();
-    tune::TuneOptions options;
-    const std::string method = method_of(args);
-    options.config = methods::make_configs(method, args.settings).front();
-    options.parameters = args.parameters;
-    options.objective = args.objective;
-    if (args.budget_ms && !(*args.budget_ms > 0)) {
+    tune::TuneOptions options = args.tune;
+    options.config = methods::make_configs(method_of(args), args.settings).front();
+    if (options.budget_ms && !(*options.budget_ms > 0)) {
         throw core::Error(
-            "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
+            "--budget-ms", fmt::format("it cannot be {}", *options.budget_ms), "above 0");
     }
-    options.budget_ms = args.budget_ms;
-    options.plan = {.evaluations = args.evaluations, .seed = asked.seed, .global = args.global};
+    options.plan.seed = asked.seed;
     options.random = !args.no_random;
     options.trace = experiment::trace_of(asked, cache_folder(args.cache));
-    if (!tune::TuneSpace(*options.config.info, args.parameters).has("crease_deg"))
+    if (!tune::TuneSpace(*options.config.info, options.parameters).has("crease_deg"))
         options.config = with_crease(options.config, asked.crease_deg);
     options.threads = asked.threads.front();
     options.name = name_of(args);
     methods::check_name(options.name, "--name");
     options.out = args.out.empty() ? "inkbench-out/" + options.name : args.out;
-    options.is_forced = args.is_forced;
     return options;
 }
 
@@ -183,22 +172,22 @@ void add_tune_command(CLI::App& app) {
     rows.text("METHOD", args->method, "METHOD",
               "Method to tune (see inkbench list methods), if not named by --method");
     rows.list("--method,--methods", args->methods, "METHOD", "The same, as an option");
-    rows.text("--params", args->parameters, "PARAMS",
+    rows.text("--params", args->tune.parameters, "PARAMS",
               "What to tune: parameters a,b or a=low..high,b (default: those that the method "
               "marks as tunable, else its threshold)");
     add_set_option(*command, args->settings, "A fixed parameter: key=value");
-    rows.choice("--objective", args->objective, tune::objective_names(),
+    rows.choice("--objective", args->tune.objective, tune::objective_names(),
                 "What the search minimises. pooled: 1 - F at 2 px, all training views pooled; "
                 "scenes: (mean root of each scene's error) squared, so that every scene "
                 "counts; kinds: the same over kinds of scenes (--model-list); worst: the "
                 "error of the worst kind; even: the mean error of kinds before the search, less "
                 "what is gained, of no scene more than 0.03");
-    rows.number("--budget-ms", args->budget_ms, kAnyNumber, "MS",
+    rows.number("--budget-ms", args->tune.budget_ms, kAnyNumber, "MS",
                 "Leave out settings whose median drawing takes longer on one thread; measured, "
                 "so results depend on the machine");
-    rows.number("--evaluations", args->evaluations, {1, 1e6}, "N", "Settings to try");
+    rows.number("--evaluations", args->tune.plan.evaluations, {1, 1e6}, "N", "Settings to try");
     args->options.add_to(*command, {"seed"}, "Of the search");
-    rows.choice("--global", args->global, search::global_searches(),
+    rows.choice("--global", args->tune.plan.global, search::global_searches(),
                 "Search for the first 60 % of the evaluations; the rest are local");
     rows.flag("--no-random", args->no_random,
               "Skip the random search with as many evaluations");
@@ -216,13 +205,14 @@ void add_tune_command(CLI::App& app) {
     args->options.add_to(*command, experiment::view_rows());
     args->options.add_to(*command, truth_rows());
     rows.text("--name",
-              args->name,
+              args->tune.name,
               "NAME",
               "Name of the preset (default: METHOD and up to three scenes, else METHOD_tuned)");
     add_out_folder_option(
         *command, args->out, "Folder of the run, with NAME.toml (default: inkbench-out/NAME)");
-    rows.flag(
-        "--force", args->is_forced, "Throw away the run that is in the folder, whatever it is");
+    rows.flag("--force",
+              args->tune.is_forced,
+              "Throw away the run that is in the folder, whatever it is");
     args->options.add_to(*command, {"grid.threads"}, "Threads; only times depend on it");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);

@@ -6,7 +6,6 @@
 #include "cli/name_list.h"
 #include "cli/options/command_rows.h"
 #include "experiment/options/option_table.h"
-#include "experiment/options/view_rows.h"
 
 namespace ink::cli {
 namespace {

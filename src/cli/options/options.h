@@ -1,8 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 

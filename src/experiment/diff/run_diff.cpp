@@ -7,11 +7,14 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "core/error.h"
 #include "core/provenance.h"
+#include "core/toml_document.h"
 #include "harness/rows/row.h"
 #include "harness/rows/sweep_table.h"
 #include "statistics/bootstrap.h"
@@ -20,6 +23,38 @@
 
 namespace ink::experiment {
 namespace {
+
+/// Adds every value below `node`, by its dotted key. Arrays of plain values stay one text.
+void flatten(const toml::node& node, const std::string& key, Values& values) {
+    const auto below = [&](std::string_view name) {
+        return key.empty() ? std::string(name) : key + "." + std::string(name);
+    };
+    if (const toml::table* table = node.as_table()) {
+        for (const auto& [name, value] : *table)
+            flatten(value, below(name.str()), values);
+        return;
+    }
+    const toml::array* array = node.as_array();
+    if (array != nullptr && array->is_homogeneous<toml::table>() && !array->empty()) {
+        for (std::size_t i = 0; i < array->size(); ++i)
+            flatten((*array)[i], below(std::to_string(i + 1)), values);
+        return;
+    }
+    std::ostringstream text;
+    node.visit([&](const auto& value) { text << value; });
+    values[key] = text.str();
+}
+
+Values values_of(const std::string& document) {
+    Values values;
+    try {
+        flatten(toml::parse(document), "", values);
+    } catch (const toml::parse_error& error) {
+        throw core::Error(
+            "run.toml", "what was asked is no TOML: " + std::string(error.description()), "TOML");
+    }
+    return values;
+}
 
 using Rows = std::vector<const harness::Row*>;
 /// Method, place and threads of a cell; then its parameters, or "" where they may differ.
@@ -177,6 +212,23 @@ bool comes_before(const MethodDiff& a, const MethodDiff& b) {
 
 }  // namespace
 
+std::vector<AskedChange> asked_changes(const std::string& a, const std::string& b) {
+    return changes_of(values_of(a), values_of(b));
+}
+
+std::vector<AskedChange> changes_of(const Values& a, const Values& b) {
+    std::map<std::string, AskedChange> changes;
+    for (const auto& [key, value] : a)
+        changes[key] = {key, value, "-"};
+    for (const auto& [key, value] : b)
+        changes.try_emplace(key, AskedChange{key, "-", ""}).first->second.b = value;
+    std::vector<AskedChange> changed;
+    for (const auto& [key, change] : changes) {
+        if (change.a != change.b) changed.push_back(change);
+    }
+    return changed;
+}
+
 CellPairs pair_cells(const std::vector<harness::Row>& a, const std::vector<harness::Row>& b) {
     Rows left_a = pointers_to(a);
     Rows left_b = pointers_to(b);
@@ -203,16 +255,12 @@ bool FDiff::is_worse() const {
 
 bool RunDiff::is_same() const {
     return asked.empty() && cells.gone.empty() && cells.added.empty() && changed_truths == 0 &&
-           std::all_of(
-               methods.begin(), methods.end(), [](const MethodDiff& m) { return m.is_same(); });
+           std::ranges::all_of(methods, &MethodDiff::is_same);
 }
 
 bool RunDiff::is_worse() const {
-    return std::any_of(
-               methods.begin(), methods.end(), [](const MethodDiff& m) { return m.is_worse(); }) ||
-           std::any_of(cells.gone.begin(), cells.gone.end(), [](const Row* row) {
-               return row->is_scored();
-           });
+    return std::ranges::any_of(methods, &MethodDiff::is_worse) ||
+           std::ranges::any_of(cells.gone, &Row::is_scored);
 }
 
 RunDiff diff_runs(const RunData& a, const RunData& b, std::uint64_t seed) {

@@ -11,11 +11,9 @@
 #include "core/named.h"
 #include "core/parse_number.h"
 #include "entrants/entrant.h"
-#include "experiment/options/model_list.h"
-#include "experiment/options/view_rows.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
-#include "studies/stress/stress_axes.h"
+#include "studies/axis.h"
 
 namespace ink::experiment {
 namespace {

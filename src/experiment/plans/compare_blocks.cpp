@@ -1,6 +1,5 @@
 #include "experiment/plans/compare_blocks.h"
 
-#include <algorithm>
 #include <memory>
 #include <span>
 

@@ -8,7 +8,6 @@
 #include "experiment/experiment_plan.h"
 #include "harness/rows/row_table.h"
 #include "studies/motion_study.h"
-#include "studies/motion_table.h"
 
 namespace ink::experiment {
 namespace {

@@ -10,9 +10,8 @@
 #include "experiment/experiment_plan.h"
 #include "harness/cells/skip_switches.h"
 #include "harness/rows/row_table.h"
+#include "studies/axis.h"
 #include "studies/axis_rows.h"
-#include "studies/axis_tables.h"
-#include "studies/stress/stress_axes.h"
 
 namespace ink::experiment {
 namespace {

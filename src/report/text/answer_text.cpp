@@ -59,28 +59,17 @@ std::string percent_text(std::int64_t part, std::int64_t whole) {
     return fmt::format("{:.1f} %", std::min(99.9, 100 * share));
 }
 
-/// What a method finds, and how much of what it draws is right.
-struct Finding {
-    std::string found;  ///< of the outline, or of its ink
-    std::string right;
-};
-
-Finding finding_of(const MethodSummary& s) {
-    score::CurveCount sum{};
-    for (const auto& [scene, counts] : s.judged().counts_of_scene)
-        sum += counts;
-    return {percent_text(sum.k, sum.n_truth), percent_text(sum.k, sum.n_pred)};
-}
-
 /// "quick finds 95.3 % of the outline, and 95.3 % of what it draws is right, in 1.60 ms".
 std::string finding_text(const MethodSummary& s, Markup markup) {
     const bool is_ink = s.measure() == summary::Measure::soft_f;
-    const Finding finding = finding_of(s);
+    score::CurveCount sum;
+    for (const auto& [scene, counts] : s.judged().counts_of_scene)
+        sum += counts;
     return fmt::format("{} finds {} of the {}, and {} of {} is right{}",
                        strong(s.method, markup),
-                       finding.found,
+                       percent_text(sum.k, sum.n_truth),
                        is_ink ? "ink" : "outline",
-                       finding.right,
+                       percent_text(sum.k, sum.n_pred),
                        is_ink ? "the ink it draws" : "what it draws",
                        time_text(", in", s));
 }

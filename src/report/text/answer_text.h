@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/rows/row.h"
-#include "summary/comparison.h"
+#include "summary/summary_csv.h"
 
 namespace ink::report {
 

@@ -14,20 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A field of a method's line in methods.csv; "" where that has none.
-std::string field_of(const experiment::RunData& run,
-                     const std::string& method,
-                     std::string_view column) {
-    const auto file = run.csv.find("methods.csv");
-    if (file == run.csv.end()) return "";
-    const core::CsvTable& table = file->second;
-    const std::size_t name = table.find("method"), at = table.find(column);
-    for (const auto& record : table.records)
-        if (at < record.size() && core::unquoted(record[name]) == method)
-            return core::unquoted(record[at]);
-    return "";
-}
-
 /// What the run draws first: a model file if it has one, else a scene; as it was asked for.
 std::string first_model(const experiment::RunData& run) {
     const toml::table asked = core::parse_toml(run.record.asked, run.folder);
@@ -51,8 +37,8 @@ TakeHome take_home(const experiment::RunData& run, const fs::path& page_folder) 
     const summary::MethodSummary* answer = run.comparison.answer().method;
     if (answer == nullptr) return {};
     TakeHome home;
-    home.method = field_of(run, answer->method, "summary");
-    const std::string preset_of = field_of(run, answer->method, "preset_of");
+    home.method = experiment::method_fact(run, answer->method, "summary");
+    const std::string preset_of = experiment::method_fact(run, answer->method, "preset_of");
     const std::string name = preset_of.empty() ? answer->method : preset_of;
     const fs::path page = fs::path(INK_SOURCE_METHODS) / name / (name + ".md");
     if (fs::exists(page)) home.address = fs::relative(page, page_folder).generic_string();

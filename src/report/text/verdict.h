@@ -5,7 +5,7 @@
 
 #include "harness/rows/row.h"
 #include "report/text/answer_text.h"
-#include "summary/comparison.h"
+#include "summary/summary_csv.h"
 
 namespace ink::report {
 

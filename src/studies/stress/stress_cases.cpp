@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
@@ -122,11 +123,20 @@ std::vector<double> decades(int low, int high) {
     return values;
 }
 
+glm::dmat4 moved(const glm::dvec3& by) {
+    return glm::translate(glm::dmat4(1), by);
+}
+
+void put(scene::Scene& scene, scene::Mesh mesh, const glm::dmat4& world_from_object) {
+    const auto number = static_cast<std::uint32_t>(scene.meshes.size());
+    scene.meshes.push_back(std::move(mesh));
+    scene.instances.push_back({number, world_from_object, "part"});
+}
+
 scene::Scene scene_of(std::string name, scene::Mesh mesh, const glm::dmat4& world_from_object) {
     scene::Scene scene;
     scene.name = std::move(name);
-    scene.meshes.push_back(std::move(mesh));
-    scene.instances.push_back({0, world_from_object, scene.name});
+    put(scene, std::move(mesh), world_from_object);
     return scene;
 }
 

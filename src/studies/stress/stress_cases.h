@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/mesh.h"
-#include "studies/stress/stress_axes.h"
+#include "studies/axis.h"
 
 // What `stress_axes()` is put together from.
 
@@ -20,7 +20,7 @@ struct StressPoint {
     CaseSize size;
 };
 
-/// A case of `scene` seen by `camera`, named as stress_axes.h says.
+/// A case of `scene` seen by `camera`, named as stress_axes() says.
 [[nodiscard]] Case make_case(const StressPoint& point,
                              scene::Scene scene,
                              const scene::Camera& camera);
@@ -63,6 +63,9 @@ struct StressHeading {
 /// The powers of ten from 10^low to 10^high.
 [[nodiscard]] std::vector<double> decades(int low, int high);
 
+[[nodiscard]] glm::dmat4 moved(const glm::dvec3& by);
+/// Adds a mesh to a scene, exactly where it is said to be.
+void put(scene::Scene& scene, scene::Mesh mesh, const glm::dmat4& world_from_object);
 /// A mesh as a scene, placed by `world_from_object`.
 [[nodiscard]] scene::Scene scene_of(std::string name,
                                     scene::Mesh mesh,

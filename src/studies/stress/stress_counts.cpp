@@ -1,4 +1,4 @@
-#include "studies/stress/stress_counts.h"
+#include "studies/axis_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -14,11 +14,11 @@ namespace ink::studies {
 namespace {
 
 /// Moves scene, cameras and lights by a matrix that only moves and scales evenly.
-void transform(Case& stress, const glm::dmat4& moved, double scale) {
+void transform(Case& stress, const glm::dmat4& by, double scale) {
     for (scene::Instance& instance : stress.scene_views.scene.instances)
-        instance.world_from_object = moved * instance.world_from_object;
+        instance.world_from_object = by * instance.world_from_object;
     scene::Camera& camera = stress.scene_views.views.front().camera;
-    camera.eye_world = glm::dvec3(moved * glm::dvec4(camera.eye_world, 1));
+    camera.eye_world = glm::dvec3(by * glm::dvec4(camera.eye_world, 1));
     camera.near *= scale;
     camera.far *= scale;
     stress.scene_views.scene.cameras.clear();
@@ -29,7 +29,7 @@ void transform(Case& stress, const glm::dmat4& moved, double scale) {
 constexpr glm::dvec3 kAway{0.75, 0.5, 0.4375};
 
 void move_away(const StressPoint& point, Case& stress) {
-    transform(stress, glm::translate(glm::dmat4(1), kAway * point.value), 1);
+    transform(stress, moved(kAway * point.value), 1);
 }
 
 /// The scene with world positions in floats, as a renderer holds it that knows no others.
@@ -46,9 +46,7 @@ scene::Scene in_floats(const scene::Scene& scene) {
             for (scene::Triangle& triangle : mesh.triangles)
                 std::swap(triangle[1], triangle[2]);
         }
-        const auto number = static_cast<std::uint32_t>(rounded.meshes.size());
-        rounded.meshes.push_back(std::move(mesh));
-        rounded.instances.push_back({number, glm::dmat4(1), instance.name});
+        put(rounded, std::move(mesh), glm::dmat4(1));
     }
     return rounded;
 }
@@ -58,12 +56,10 @@ void add_near_thing(scene::Scene& scene, const scene::Camera& camera) {
     const glm::dmat3 world_from_view = glm::transpose(camera.view_from_world);
     const glm::dvec3 at =
         camera.eye_world + world_from_view * (camera.near * glm::dvec3(-0.75, -0.5, -2.5));
-    glm::dmat4 placed = glm::translate(glm::dmat4(1), at) * glm::dmat4(world_from_view);
+    glm::dmat4 placed = moved(at) * glm::dmat4(world_from_view);
     placed = glm::scale(placed, glm::dvec3(camera.near / 4));
     placed = glm::rotate(placed, 0.4, glm::dvec3(0, 1, 0));
-    const auto number = static_cast<std::uint32_t>(scene.meshes.size());
-    scene.meshes.push_back(catalogue::make_cone(0.75, 1.5, 5));
-    scene.instances.push_back({number, placed, "near"});
+    put(scene, catalogue::make_cone(0.75, 1.5, 5), placed);
 }
 
 /// A floor 60 wide and 800 long, and things on it near its middle.
@@ -72,12 +68,8 @@ scene::Scene floor_scene(std::string name) {
                     catalogue::make_sheet({-30, 0, -400}, {0, 0, 800}, {60, 0, 0}, {40, 4}));
 }
 
-void put(scene::Scene& scene, const scene::Mesh& mesh, const glm::dvec3& at, double turn_deg) {
-    const auto number = static_cast<std::uint32_t>(scene.meshes.size());
-    scene.meshes.push_back(mesh);
-    const glm::dmat4 moved = glm::translate(glm::dmat4(1), at);
-    scene.instances.push_back(
-        {number, glm::rotate(moved, glm::radians(turn_deg), glm::dvec3(0, 1, 0)), "thing"});
+void stand(scene::Scene& scene, const scene::Mesh& mesh, const glm::dvec3& at, double turn_deg) {
+    put(scene, mesh, glm::rotate(moved(at), glm::radians(turn_deg), glm::dvec3(0, 1, 0)));
 }
 
 /// The vertex that is nearest the eye: seen, and mostly a corner.
@@ -122,16 +114,16 @@ std::vector<Case> grazing_cases(const StressPoint& point) {
     const StressLook look{
         1000.0 * glm::dvec3(0, std::sin(angle_rad), std::cos(angle_rad)), glm::dvec3(0), 0.2};
     scene::Scene boxes = floor_scene("floor_boxes");
-    put(boxes, catalogue::make_box({-0.5, -0.25, -0.5}, {0.5, 0.75, 0.5}), {-1.75, 0, -2}, 30);
-    put(boxes, catalogue::make_box({-0.375, -0.25, -0.5}, {0.375, 0.5, 0.5}), {0, 0, 1}, -15);
-    put(boxes, catalogue::make_box({-0.5, -0.25, -0.25}, {0.5, 1, 0.25}), {1.75, 0, -1}, 50);
+    stand(boxes, catalogue::make_box({-0.5, -0.25, -0.5}, {0.5, 0.75, 0.5}), {-1.75, 0, -2}, 30);
+    stand(boxes, catalogue::make_box({-0.375, -0.25, -0.5}, {0.375, 0.5, 0.5}), {0, 0, 1}, -15);
+    stand(boxes, catalogue::make_box({-0.5, -0.25, -0.25}, {0.5, 1, 0.25}), {1.75, 0, -1}, 50);
     scene::Scene steps = floor_scene("floor_steps");
-    put(steps, catalogue::make_box({-2.5, -0.125, -3}, {2.5, 0.0625, 3}), {0, 0, 0}, 12);
-    put(steps, catalogue::make_box({-1.5, -0.125, -1.5}, {1.5, 0.25, 1.5}), {0.25, 0, -0.5}, -20);
+    stand(steps, catalogue::make_box({-2.5, -0.125, -3}, {2.5, 0.0625, 3}), {0, 0, 0}, 12);
+    stand(steps, catalogue::make_box({-1.5, -0.125, -1.5}, {1.5, 0.25, 1.5}), {0.25, 0, -0.5}, -20);
     scene::Scene balls = floor_scene("floor_balls");
-    put(balls, catalogue::make_sphere(0.5, 48, 24), {-1.5, 0.25, 0}, 0);
-    put(balls, catalogue::make_cylinder(0.5, 0.75, 32), {0.125, -0.125, -2}, 0);
-    put(balls, catalogue::make_cone(0.625, 1, 24), {1.75, -0.125, 1}, 0);
+    stand(balls, catalogue::make_sphere(0.5, 48, 24), {-1.5, 0.25, 0}, 0);
+    stand(balls, catalogue::make_cylinder(0.5, 0.75, 32), {0.125, -0.125, -2}, 0);
+    stand(balls, catalogue::make_cone(0.625, 1, 24), {1.75, -0.125, 1}, 0);
     return make_cases(point, {std::move(boxes), std::move(steps), std::move(balls)}, look);
 }
 

@@ -18,27 +18,6 @@ scene::Mesh square(double half) {
     return catalogue::make_sheet({-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0});
 }
 
-/// A scene whose parts are placed exactly where they are said to be.
-class ExactScene {
-  public:
-    explicit ExactScene(std::string name) { scene_.name = std::move(name); }
-
-    std::uint32_t mesh(scene::Mesh mesh) {
-        scene_.meshes.push_back(std::move(mesh));
-        return static_cast<std::uint32_t>(scene_.meshes.size() - 1);
-    }
-    void place(std::uint32_t mesh, const glm::dmat4& world_from_object) {
-        scene_.instances.push_back({mesh, world_from_object, "part"});
-    }
-    void place(std::uint32_t mesh, const glm::dvec3& at) {
-        place(mesh, glm::translate(glm::dmat4(1), at));
-    }
-    [[nodiscard]] scene::Scene take() { return std::move(scene_); }
-
-  private:
-    scene::Scene scene_;
-};
-
 glm::dmat4 turned(double about_x_deg, double about_y_deg) {
     const glm::dmat4 m = glm::rotate(glm::dmat4(1), glm::radians(about_x_deg), glm::dvec3(1, 0, 0));
     return glm::rotate(m, glm::radians(about_y_deg), glm::dvec3(0, 1, 0));
@@ -67,17 +46,14 @@ scene::Mesh with_slivers(const scene::Mesh& mesh, double aspect) {
 }
 
 scene::Scene needles(double aspect) {
-    ExactScene scene("needles");
     scene::Mesh needle;
     const auto half = static_cast<float>(0.5 / aspect);
     needle.positions = {{-half, 0, 0}, {half, 0, 0}, {0, 1, 0}};
     needle.triangles = {{0, 1, 2}};
-    const auto number = scene.mesh(std::move(needle));
-    const auto ground = scene.mesh(square(1.75));
-    scene.place(ground, glm::dvec3(0));
+    scene::Scene scene = scene_of("needles", square(1.75));
     for (int i = 0; i < 14; ++i)
-        scene.place(number, glm::dvec3(-1.625 + 0.25 * i, 0.0625, 0.25 * (i % 5) - 0.5));
-    return scene.take();
+        put(scene, needle, moved({-1.625 + 0.25 * i, 0.0625, 0.25 * (i % 5) - 0.5}));
+    return scene;
 }
 
 /// A rolling sheet of n x n quads.
@@ -101,24 +77,21 @@ int rounded(double x) {
 
 std::vector<Case> gap_cases(const StressPoint& point) {
     const double gap = point.value;
-    ExactScene leaf("leaf");
-    leaf.place(leaf.mesh(square(1.25)), glm::dvec3(0));
-    leaf.place(leaf.mesh(square(0.75)),
-               glm::translate(glm::dmat4(1), glm::dvec3(0, gap, 0)) * turned(0, 20));
-    ExactScene slits("slits");
-    const auto tile = slits.mesh(square(0.5));
+    scene::Scene leaf = scene_of("leaf", square(1.25));
+    put(leaf, square(0.75), moved({0, gap, 0}) * turned(0, 20));
+    scene::Scene slits;
+    slits.name = "slits";
     for (const double x : {-1.0, 0.0, 1.0}) {
         for (const double z : {-0.5, 0.5})
-            slits.place(tile, glm::dvec3(x * (1 + gap), 0, z * (1 + gap)));
+            put(slits, square(0.5), moved({x * (1 + gap), 0, z * (1 + gap)}));
     }
-    ExactScene step("step");
-    const auto box = step.mesh(catalogue::make_box({0, -0.5, -1}, {1, 0, 1}));
-    step.place(box, glm::dvec3(-1, 0, 0));
-    step.place(box, glm::dvec3(0, gap, 0));
-    ExactScene plate("plate");
-    plate.place(plate.mesh(catalogue::make_box({-1.25, 0, -1}, {1.25, 1, 1})),
-                glm::scale(glm::dmat4(1), glm::dvec3(1, gap, 1)));
-    return make_cases(point, {leaf.take(), slits.take(), step.take(), plate.take()}, kThreeQuarter);
+    const scene::Mesh box = catalogue::make_box({0, -0.5, -1}, {1, 0, 1});
+    scene::Scene step = scene_of("step", box, moved({-1, 0, 0}));
+    put(step, box, moved({0, gap, 0}));
+    const scene::Scene plate = scene_of("plate",
+                                        catalogue::make_box({-1.25, 0, -1}, {1.25, 1, 1}),
+                                        glm::scale(glm::dmat4(1), glm::dvec3(1, gap, 1)));
+    return make_cases(point, {leaf, slits, step, plate}, kThreeQuarter);
 }
 
 std::vector<Case> sliver_cases(const StressPoint& point) {
