@@ -3,10 +3,10 @@
 // line is where surface8 has one, and where both
 //
 //     max(j - max(s0, s1), min(s0, s1) - j) > jump_px * (larger q of the middle two) / focal_px
-//     |j| > ratio * max(|s0|, |s1|)                                         (edge/depth_jumps.h)
+//     |j| > ratio * max(|s0|, |s1|) (edge/side_differences.h)
 
 #include "buffers/tile_buffer.h"
-#include "edge/depth_jumps.h"
+#include "edge/side_differences.h"
 #include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {

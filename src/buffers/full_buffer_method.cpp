@@ -5,7 +5,7 @@
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
 #include "buffers/sample_grid.h"
-#include "edge/roberts.h"
+#include "edge/sobel.h"
 
 namespace ink::buffers {
 

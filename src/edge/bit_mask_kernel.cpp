@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstring>
 
 #include "core/bits.h"
 #include "edge/bit_mask.h"
+#include "edge/row_bands.h"
+#include "edge/vector_loops.inl"
 
 HWY_BEFORE_NAMESPACE();
 namespace ink::edge::HWY_NAMESPACE {
@@ -29,11 +32,27 @@ void pack_row(const std::uint8_t* row, int width, std::uint64_t* words) {
         words[x / 64] |= std::uint64_t{row[x] != 0} << (x % 64);
 }
 
+void threshold_row(const std::uint8_t* from, int at_least, std::uint8_t* to, int width) {
+    cover_once<std::uint8_t, HWY_LANES(std::uint8_t)>(width, [=](auto d, int x) HWY_ATTR {
+        const auto below = hn::Set(d, static_cast<std::uint8_t>(at_least - 1));
+        const auto excess = hn::SaturatedSub(hn::LoadU(d, from + x), below);
+        hn::StoreU(hn::Min(excess, hn::Set(d, 1)), d, to + x);
+    });
+}
+
+void threshold_rows(const core::ImageView<const std::uint8_t>& edge_responses,
+                    int at_least,
+                    const core::ImageView<std::uint8_t>& mask) {
+    for (int y = 0; y < mask.height_px; ++y)
+        threshold_row(edge_responses.row(y), at_least, mask.row(y), mask.width_px);
+}
+
 }  // namespace ink::edge::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ink::edge {
+
 namespace {
 
 HWY_EXPORT(pack_row);
@@ -77,6 +96,25 @@ Mask BitMask::bytes() const {
             }
         }
     }
+    return mask;
+}
+
+HWY_EXPORT(threshold_rows);
+
+void threshold(const core::ImageView<const std::uint8_t>& edge_responses,
+               int at_least,
+               const core::ImageView<std::uint8_t>& mask,
+               int threads) {
+    assert(at_least >= 1 && at_least <= 255);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(threshold_rows);
+    filter_row_bands(edge_responses, mask, threads, [&](const auto& from, const auto& to) {
+        kernel(from, at_least, to);
+    });
+}
+
+Mask threshold(const EdgeImage& image, int at_least) {
+    Mask mask(image.width_px(), image.height_px());
+    threshold(image.view(), at_least, mask.view());
     return mask;
 }
 

@@ -2,7 +2,6 @@
 
 #include "edge/bit_mask.h"
 #include "edge/edge_image.h"
-#include "edge/threshold.h"
 
 namespace ink::edge {
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "edge/bit_mask.h"
 #include "edge/edge_image.h"
 #include "edge/laplacian.h"
 #include "edge/thin.h"
-#include "edge/threshold.h"
 #include "harness/cells/cell.h"
 #include "harness/truths/truth_code.h"
 #include "score/drawing.h"

@@ -6,11 +6,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "edge/binomial_blur.h"
-#include "edge/depth_jumps.h"
-#include "edge/roberts.h"
+#include "edge/bit_mask.h"
 #include "edge/side_differences.h"
 #include "edge/sobel.h"
-#include "edge/threshold.h"
 #include "guarded.h"
 #include "plain_filters.h"
 

@@ -8,9 +8,9 @@
 
 #include "core/image.h"
 #include "edge/decaudin_filter.h"
-#include "edge/depth_jumps.h"
 #include "edge/laplacian.h"
 #include "edge/laplacian_f32x4.h"
+#include "edge/side_differences.h"
 
 /// The filters as their formulas have them, pixel by pixel: what every SIMD target must equal.
 /// `at` is the middle pixel, `stride` the way to the row below.

@@ -13,7 +13,7 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/shapes.h"
-#include "edge/threshold.h"
+#include "edge/bit_mask.h"
 #include "methods/surface_codes/baked_codes.h"
 #include "methods/surface_codes/surface_code_params.h"
 #include "scene/animation.h"
