@@ -1,4 +1,4 @@
-#include "raster/mesh/lane_rows.h"
+#include "raster/mesh/lane_triangles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "raster/pass/triangle_fill.h"
+#include "raster/pass/tile_fill.h"
 
 #include <gtest/gtest.h>
 

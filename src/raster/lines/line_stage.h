@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "raster/depth/depth_blocks.h"
+#include "raster/depth/coarse_depth.h"
 #include "raster/lines/line_pass.h"
 #include "raster/pass/screen_vertex.h"
 

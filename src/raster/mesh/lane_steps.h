@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "raster/depth/depth.h"
 
@@ -27,5 +28,9 @@ struct StepRange {
     constexpr double kMost = 0.75;
     return range.least >= 1 - kMost && range.greatest <= depth.steps() + kMost;
 }
+
+/// The low bits of `count` codes, a multiple of 16, at addresses aligned for vectors.
+void narrow(const std::uint32_t* codes, std::size_t count, std::uint8_t* to);
+void narrow(const std::uint32_t* codes, std::size_t count, std::uint16_t* to);
 
 }  // namespace ink::raster

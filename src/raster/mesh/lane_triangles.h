@@ -151,6 +151,10 @@ void set_up_lanes(const PassFormat& format,
                   const LaneDepthBias& depth_bias,
                   LaneTriangles& out);
 
+/// Finds, for triangles that are set up, the columns of vectors that fill_lanes draws, and which of
+/// their rows each triangle may cover: LaneTriangles::first_x and rows.
+void find_rows(LaneTriangles& triangles);
+
 /// Draws them in order into a tile.
 void fill_lanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to);
 

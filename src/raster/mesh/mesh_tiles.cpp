@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "raster/fragments/fragment_fill.h"
-#include "raster/pass/triangle_fill.h"
+#include "raster/pass/tile_fill.h"
 
 namespace ink::raster {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "raster/mesh/lane_narrow.h"
+#include "raster/mesh/lane_steps.h"
 
 namespace ink::raster {
 namespace {
