@@ -10,6 +10,7 @@
 #define HWY_TARGET_INCLUDE "raster/depth/coarse_depth.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
