@@ -53,7 +53,7 @@ template <class T>
 void Packer::pack_row(int plane, const PixelRow& row, T* codes) const {
     const auto in_plane = [&](const Field& field) { return field.plane == plane; };
     const auto& fields = layout_.fields;
-    const auto first = std::find_if(fields.begin(), fields.end(), in_plane);
+    const auto first = std::ranges::find_if(fields, in_plane);
     const auto last = std::find_if_not(first, fields.end(), in_plane);
     const std::span<const PackField> all(kernel_fields_);
     pack_pixels(all.subspan(static_cast<std::size_t>(first - fields.begin()),

@@ -23,7 +23,7 @@ void HiddenLines::draw(const method::Frame& frame,
                        const KindWidths& widths,
                        edge::EdgeImage& out) {
     std::vector<double> each{widths.contour_px, widths.crease_px, widths.boundary_px};
-    std::sort(each.begin(), each.end());
+    std::ranges::sort(each);
     each.erase(std::unique(each.begin(), each.end()), each.end());
     for (const double width_px : each) {
         if (width_px <= 0) continue;

@@ -130,8 +130,7 @@ glm::mat3 SurfaceInputs::view_from_world() const {
 }
 
 void SurfaceInputs::finish(const raster::MeshResult& result, edge::EdgeImage& out) {
-    assert(result.still.empty() || is_still_ ||
-           std::count(result.still.begin(), result.still.end(), 1) == 0);
+    assert(result.still.empty() || is_still_ || std::ranges::count(result.still, 1) == 0);
     const raster::TileGrid grid{view_.width_px, view_.height_px, 0};
     for (std::size_t tile = 0; tile < result.still.size(); ++tile) {
         if (result.still[tile] == 0) continue;

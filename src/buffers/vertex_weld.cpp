@@ -114,7 +114,7 @@ WeldedFaces weld_faces(const VertexWeld& weld,
         }
         if (double_faces == DoubleFaces::drop) {
             scene::Triangle key = face;
-            std::sort(key.begin(), key.end());
+            std::ranges::sort(key);
             if (!seen.insert(key).second) {
                 ++welded.duplicate;
                 continue;

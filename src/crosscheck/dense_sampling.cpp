@@ -75,7 +75,7 @@ class FineGrid {
             ways.push_back({at(a.x, a.y), at(b.x, b.y)});
         }
         const std::vector<char> is_plain = judge(ways);
-        return std::find(is_plain.begin(), is_plain.end(), 0) != is_plain.end();
+        return std::ranges::find(is_plain, 0) != is_plain.end();
     }
 
     SamplingCounts counts;  ///< of all cells so far
@@ -87,7 +87,7 @@ class FineGrid {
         if (known_ != nullptr)
             return explain_all(*known_, rays_, ways, Explanation::Reach::whole, counts.rays);
         std::vector<char> is_plain(ways.size());
-        std::transform(ways.begin(), ways.end(), is_plain.begin(), [&](const Way& way) {
+        std::ranges::transform(ways, is_plain.begin(), [&](const Way& way) {
             return is_joined(rays_.mesh(), way.from, way.to);
         });
         return is_plain;
@@ -129,10 +129,9 @@ class Looking {
         } else {
             look_adaptively();
         }
-        std::stable_sort(
-            points_.begin(), points_.end(), [](const CellPoint& a, const CellPoint& b) {
-                return std::tie(a.cell.y, a.cell.x) < std::tie(b.cell.y, b.cell.x);
-            });
+        std::ranges::stable_sort(points_, [](const CellPoint& a, const CellPoint& b) {
+            return std::tie(a.cell.y, a.cell.x) < std::tie(b.cell.y, b.cell.x);
+        });
         SampledLines crosscheck;
         for (const CellPoint& p : points_)
             crosscheck.points.push_back(p.point);

@@ -104,9 +104,8 @@ std::vector<char> explain_all(const KnownLines& known,
             waiting[i]->go_on(samples[i]);
     } while (!waiting.empty());
     std::vector<char> is_explained(ways.size());
-    std::transform(all.begin(), all.end(), is_explained.begin(), [](const Explanation& e) {
-        return e.is_explained();
-    });
+    std::ranges::transform(
+        all, is_explained.begin(), [](const Explanation& e) { return e.is_explained(); });
     return is_explained;
 }
 

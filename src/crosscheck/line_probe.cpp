@@ -89,14 +89,14 @@ PlainRays::PlainRays(const ClipMesh& mesh, std::span<const glm::dvec2> places_px
                 pixels_.push_back(key_of(p.x + dx, p.y + dy));
         }
     }
-    std::sort(pixels_.begin(), pixels_.end());
+    std::ranges::sort(pixels_);
     pixels_.erase(std::unique(pixels_.begin(), pixels_.end()), pixels_.end());
     faces_.resize(pixels_.size());
     if (pixels_.empty()) return;
     const auto& faces = mesh.topology().faces;
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
         const Box box = box_of(mesh, faces[f]);
-        auto at = std::lower_bound(pixels_.begin(), pixels_.end(), key_of(box.low.x, box.low.y));
+        auto at = std::ranges::lower_bound(pixels_, key_of(box.low.x, box.low.y));
         const std::uint64_t last = key_of(box.high.x, box.high.y);
         const std::uint64_t left = key_of(box.low.x, 0) & 0xffffffffU;
         const std::uint64_t right = last & 0xffffffffU;
@@ -132,7 +132,7 @@ bool PlainRays::is_met(std::uint32_t face, const scene::SightLine& ray) const {
 
 std::span<const std::uint32_t> PlainRays::faces_near(const glm::dvec2& p_px) const {
     const std::uint64_t key = key_of(p_px.x, p_px.y);
-    const auto at = std::lower_bound(pixels_.begin(), pixels_.end(), key);
+    const auto at = std::ranges::lower_bound(pixels_, key);
     if (at == pixels_.end() || *at != key) return {};
     return faces_[static_cast<std::size_t>(at - pixels_.begin())];
 }
@@ -185,7 +185,7 @@ struct Shared {
 Shared shared_by(const scene::Face& f, const scene::Face& g) {
     Shared shared;
     for (const std::uint32_t v : f.vertices) {
-        if (std::find(g.vertices.begin(), g.vertices.end(), v) == g.vertices.end()) continue;
+        if (std::ranges::find(g.vertices, v) == g.vertices.end()) continue;
         ++shared.count;
         shared.vertex = v;
     }
@@ -217,7 +217,7 @@ class Places {
         if (of_seen < 0) return false;
         const glm::dvec3 p_world = projection.at(at_px.x, at_px.y, projection.depth_of(sight.w));
         const auto& faces = rays_.faces_near(place_px);
-        return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t other) {
+        return std::ranges::any_of(faces, [&](std::uint32_t other) {
             const double of_other = written(other, px_world);
             if (other == sight.face || of_other < 0) return false;
             const double reach = of_seen + of_other + kClaimed_px * px_world;

@@ -65,7 +65,7 @@ bool is_touched(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) 
     if (beyond.sight.face == kNothing) return false;
     const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_feature);
     const std::array<std::uint32_t, 2> faces{beyond.sight.face, back.face};
-    return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) {
+    return std::ranges::any_of(faces, [&](std::uint32_t face) {
         return mesh.goes_on(end.face, face, end.p_world, {touching(mesh, end.face, face), 0});
     });
 }

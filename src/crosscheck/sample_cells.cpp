@@ -91,7 +91,7 @@ void SampleCells::compare_row(int y,
 }
 
 void SampleCells::mark_all() {
-    std::fill(states_.begin(), states_.end(), CellState::marked);
+    std::ranges::fill(states_, CellState::marked);
 }
 
 bool SampleCells::mark(const glm::ivec2& cell) {

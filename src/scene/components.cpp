@@ -82,7 +82,7 @@ void count_vertices(const Topology& topology,
         for (const std::uint32_t v : topology.faces[f].vertices)
             uses.emplace_back(v, component_of[f]);
     }
-    std::sort(uses.begin(), uses.end());
+    std::ranges::sort(uses);
     uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
     for (const auto& [vertex, component] : uses)
         ++tallies[component].vertices;

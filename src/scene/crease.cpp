@@ -22,7 +22,7 @@ bool is_marked(const Face& face, const Edge& edge) {
 /// Whether the two faces are all that one object has at the edge.
 bool are_one_object(const Topology& topology, const Edge& edge, const Face& f, const Face& g) {
     const auto all = topology.faces_of(edge);
-    return f.object == g.object && std::count_if(all.begin(), all.end(), [&](std::uint32_t other) {
+    return f.object == g.object && std::ranges::count_if(all, [&](std::uint32_t other) {
                                        return topology.faces[other].object == f.object;
                                    }) == 2;
 }
@@ -71,9 +71,8 @@ CreaseProposal propose_crease(const Topology& topology) {
 }
 
 void check_creases(const Scene& scene, CreaseSource source) {
-    const bool has_marks = std::any_of(scene.meshes.begin(),
-                                       scene.meshes.end(),
-                                       [](const Mesh& mesh) { return !mesh.marked_sides.empty(); });
+    const bool has_marks = std::ranges::any_of(
+        scene.meshes, [](const Mesh& mesh) { return !mesh.marked_sides.empty(); });
     if (source != CreaseSource::file || has_marks) return;
     throw core::Error(scene.name,
                       "it marks no edges, so creases cannot be those of its file",

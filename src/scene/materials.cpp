@@ -74,8 +74,8 @@ void copy_motion(Animation& animation, std::uint32_t mesh, std::uint32_t copy) {
 
 bool moves_vertices(const Animation& animation, std::uint32_t mesh) {
     const auto is_of_mesh = [&](const auto& motion) { return motion.mesh == mesh; };
-    return std::any_of(animation.skins.begin(), animation.skins.end(), is_of_mesh) ||
-           std::any_of(animation.morphs.begin(), animation.morphs.end(), is_of_mesh) ||
+    return std::ranges::any_of(animation.skins, is_of_mesh) ||
+           std::ranges::any_of(animation.morphs, is_of_mesh) ||
            (mesh < animation.vertex_frames.size() && animation.vertex_frames[mesh].frame_count > 0);
 }
 

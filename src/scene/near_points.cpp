@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <glm/geometric.hpp>
 #include <tuple>
 
@@ -13,9 +14,7 @@ using Cell = std::array<std::int64_t, 3>;
 struct CellPoint {
     Cell cell{};
     std::uint32_t point = 0;
-    friend bool operator<(const CellPoint& a, const CellPoint& b) {
-        return std::tie(a.cell, a.point) < std::tie(b.cell, b.point);
-    }
+    friend auto operator<=>(const CellPoint&, const CellPoint&) = default;
 };
 
 // Cells are a little wider than the distance, so that two points within it lie in neighbouring
@@ -37,7 +36,7 @@ std::vector<CellPoint> sorted_by_cell(std::span<const glm::dvec3> points,
                           static_cast<std::int64_t>(at.z)},
                          i});
     }
-    std::sort(cells.begin(), cells.end());
+    std::ranges::sort(cells);
     return cells;
 }
 

@@ -87,10 +87,9 @@ void PreparedScene::keep(const std::string& name,
     Results& results = *results_;
     const std::lock_guard lock(results.mutex);
     while (!results.kept.empty() && results.kept.size() >= results.most) {
-        const auto least = std::min_element(
-            results.kept.begin(), results.kept.end(), [](const auto& a, const auto& b) {
-                return a.second.worth_ns < b.second.worth_ns;
-            });
+        const auto least = std::ranges::min_element(results.kept, [](const auto& a, const auto& b) {
+            return a.second.worth_ns < b.second.worth_ns;
+        });
         if (least->second.worth_ns == kSmall) break;
         results.level_ns = least->second.worth_ns;
         results.kept.erase(least);

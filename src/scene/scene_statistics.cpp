@@ -145,10 +145,8 @@ void count_edges(const Topology& topology, SceneStatistics& statistics) {
         }
     }
     for (const Face& face : topology.faces) {
-        statistics.loose_triangles +=
-            std::all_of(face.edges.begin(), face.edges.end(), [&](auto e) {
-                return topology.edges[e].face_count == 1;
-            });
+        statistics.loose_triangles += std::ranges::all_of(
+            face.edges, [&](auto e) { return topology.edges[e].face_count == 1; });
     }
 }
 

@@ -168,11 +168,10 @@ Surface mesh_surface(const Scene& scene, bool with_normals) {
 
 /// File normals where a mesh has them, patch normals where it has none.
 Surface file_surface(const PreparedScene& scene, double crease_rad) {
-    const bool all =
-        std::all_of(scene->instances.begin(), scene->instances.end(), [&](auto& instance) {
-            const Mesh& mesh = scene->meshes[instance.mesh];
-            return mesh.normals.size() == mesh.positions.size();
-        });
+    const bool all = std::ranges::all_of(scene->instances, [&](auto& instance) {
+        const Mesh& mesh = scene->meshes[instance.mesh];
+        return mesh.normals.size() == mesh.positions.size();
+    });
     if (all) return mesh_surface(scene, true);
 
     Surface surface = patch_surface(scene, crease_rad);

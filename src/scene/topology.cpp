@@ -28,7 +28,7 @@ glm::dvec3 without_negative_zero(const glm::dvec3& p) {
 }
 
 FaceKey sorted(FaceKey key) {
-    std::sort(key.begin(), key.end());
+    std::ranges::sort(key);
     return key;
 }
 
@@ -69,7 +69,7 @@ class Moves {
     }
     /// Whether they leave the corners of a triangle where they are.
     [[nodiscard]] bool leave(const Instance& instance, const Mesh& mesh, const Triangle& t) {
-        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+        return std::ranges::all_of(t, [&](std::uint32_t v) {
             const glm::dvec3 p = place(instance, mesh.positions[v]);
             return (*this)(p) == p;
         });
@@ -84,7 +84,7 @@ class Moves {
             if (is_used[v])
                 part.push_back(places_.insert(place(instance, mesh.positions[v])).first);
         }
-        std::sort(part.begin(), part.end());
+        std::ranges::sort(part);
         part.erase(std::unique(part.begin(), part.end()), part.end());
         return part;
     }
@@ -265,9 +265,8 @@ bool is_consistent(const Topology& topology, const Edge& edge) {
 
 std::uint32_t opposite_vertex(const Face& face, const Edge& edge) {
     const auto& vertices = face.vertices;
-    const auto found = std::find_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
-        return v != edge.a && v != edge.b;
-    });
+    const auto found =
+        std::ranges::find_if(vertices, [&](std::uint32_t v) { return v != edge.a && v != edge.b; });
     assert(found != vertices.end());
     return *found;
 }

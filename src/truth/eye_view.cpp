@@ -169,7 +169,7 @@ std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
         ends.push_back(c.t_begin);
         ends.push_back(c.t_end);
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
 
     std::vector<ClassStretch> all;
     double begin = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <tuple>
 
@@ -31,10 +32,7 @@ struct PlacedEnd {
     End end = 0;
 
     [[nodiscard]] auto group() const { return std::tie(place, line_class, kind); }
-    friend bool operator<(const PlacedEnd& a, const PlacedEnd& b) {
-        return std::tuple_cat(a.group(), std::tie(a.end)) <
-               std::tuple_cat(b.group(), std::tie(b.end));
-    }
+    friend auto operator<=>(const PlacedEnd&, const PlacedEnd&) = default;
 };
 
 /// The empty side as one leaves the vertex along the curve.
@@ -52,7 +50,7 @@ std::vector<End> pair_ends(std::span<const Curve> curves) {
         ends.push_back({place_of(curve.begin), curve.line_class, curve.kind, 2 * i});
         ends.push_back({place_of(curve.end), curve.line_class, curve.kind, 2 * i + 1});
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
     std::vector<End> neighbour(2 * curves.size(), kNoNeighbour);
     for (std::size_t i = 0; i < ends.size();) {
         std::size_t last = i + 1;

@@ -35,9 +35,8 @@ Labels draw_below_crease(std::span<const Curve> curves, double crease_rad, const
             });
         }
     };
-    const bool is_any = std::any_of(curves.begin(), curves.end(), [&](const Curve& curve) {
-        return is_below_crease(curve, crease_rad);
-    });
+    const bool is_any = std::ranges::any_of(
+        curves, [&](const Curve& curve) { return is_below_crease(curve, crease_rad); });
     if (!is_any) return below;
     mark(true, 1);
     mark(false, 0);

@@ -27,7 +27,7 @@ std::size_t distinct_places(const scene::Scene& scene) {
         sorted.reserve(mesh.positions.size());
         for (const glm::vec3& p : mesh.positions)
             sorted.push_back({p.x, p.y, p.z});
-        std::sort(sorted.begin(), sorted.end());
+        std::ranges::sort(sorted);
         const auto end = std::unique(sorted.begin(), sorted.end());
         of_mesh.push_back(static_cast<std::size_t>(end - sorted.begin()));
     }

@@ -79,9 +79,8 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     model.crease_rad = options.crease_rad;
     model.creases = options.creases;
     const auto& faces = model.topology.faces;
-    model.is_one_object = std::all_of(faces.begin(), faces.end(), [&](const scene::Face& f) {
-        return f.object == faces.front().object;
-    });
+    model.is_one_object = std::ranges::all_of(
+        faces, [&](const scene::Face& f) { return f.object == faces.front().object; });
     model.tolerances = scene::weld_tolerances(model.topology);
     classify_edges(model, options.threads);
     join_patches(model);

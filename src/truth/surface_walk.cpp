@@ -129,7 +129,7 @@ class Walker {
 
     [[nodiscard]] bool has_edge(std::uint32_t face, std::uint32_t edge) const {
         const auto& edges = eye_.model.topology.faces[face].edges;
-        return std::find(edges.begin(), edges.end(), edge) != edges.end();
+        return std::ranges::find(edges, edge) != edges.end();
     }
 
     /// The face seen beyond an edge that is no line. Where there is none because another face
@@ -162,10 +162,9 @@ class Walker {
             return pair.lower_face == std::min(from, to);
         };
         const scene::Edge& edge = model.topology.edges[e];
-        if (std::any_of(coplanar.begin(), coplanar.end(), is_pair) && overlap(edge, from, to))
-            return false;
+        if (std::ranges::any_of(coplanar, is_pair) && overlap(edge, from, to)) return false;
         const auto& borders = model.topology.faces[to].edges;
-        return std::none_of(borders.begin(), borders.end(), [&](std::uint32_t other) {
+        return std::ranges::none_of(borders, [&](std::uint32_t other) {
             const scene::Edge& border = model.topology.edges[other];
             return (is_near(edge.a, border.a) && is_near(edge.b, border.b)) ||
                    (is_near(edge.a, border.b) && is_near(edge.b, border.a));
@@ -187,7 +186,7 @@ class Walker {
         };
         const double inside = height(opposite_vertex(eye_.model.topology.faces[from], edge));
         const auto& corners = eye_.model.topology.faces[to].vertices;
-        return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+        return std::ranges::any_of(corners, [&](std::uint32_t v) {
             return height(v) * (inside < 0 ? -1 : 1) > kCrack_px;
         });
     }
@@ -200,7 +199,7 @@ class Walker {
 
     [[nodiscard]] int side_of(const scene::Edge& edge, std::uint32_t face) const {
         const auto faces = eye_.model.topology.faces_of(edge);
-        const auto at = std::find(faces.begin(), faces.end(), face);
+        const auto at = std::ranges::find(faces, face);
         return eye_.side(edge, static_cast<std::size_t>(at - faces.begin()));
     }
 
@@ -219,7 +218,7 @@ class Walker {
         for (const std::uint32_t e : eye_.model.topology.faces[f].edges) {
             const scene::Edge& edge = eye_.model.topology.edges[e];
             const auto faces = eye_.model.topology.faces_of(edge);
-            if (std::find(faces.begin(), faces.end(), goal) == faces.end()) continue;
+            if (std::ranges::find(faces, goal) == faces.end()) continue;
             const auto t = near_end(edge);
             if (!t) continue;
             if (eye_.class_at(e, *t) == LineClass::none) {

@@ -83,7 +83,7 @@ class Profiles {
             keep(piece.s_end);
         for (const WalkedPiece& piece : back_.pieces)
             keep(1 - piece.s_end);
-        std::sort(breaks_.begin(), breaks_.end());
+        std::ranges::sort(breaks_);
     }
 
     const SurfaceWalk& there_;

@@ -65,9 +65,8 @@ bool Visibility::is_own(std::uint32_t face, const LinePoint& point) const {
 bool Visibility::is_touched_by(std::uint32_t face, std::uint32_t edge) const {
     if (eye_.model.is_touched[edge] == 0) return false;
     const auto contacts = eye_.model.crossings.contacts_of(edge);
-    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-        return contact.face == face;
-    });
+    return std::ranges::any_of(contacts,
+                               [&](const Contact& contact) { return contact.face == face; });
 }
 
 /// The side of the face's plane on which the point lies, exact for the true point of the edge: if

@@ -61,9 +61,8 @@ std::size_t front_clusters(const PassFormat& format,
                                !input.offset.is_any() &&  // what is hidden may be moved out
                                !input.may_keep_still;     // all that touches a tile is noted there
     if (!may_pass_over || clusters.size() < least) return 0;
-    const auto open = std::count_if(clusters.begin(), clusters.end(), [&](const auto& cluster) {
-        return !solids[cluster.solid].hides_backs;
-    });
+    const auto open = std::ranges::count_if(
+        clusters, [&](const auto& cluster) { return !solids[cluster.solid].hides_backs; });
     return static_cast<std::size_t>(open) < least ? 0 : clusters.size() / 2;
 }
 

@@ -28,7 +28,7 @@ void LaneMesh::update(const scene::Surface& moved) {
 
 void LaneMesh::lay_out() {
     const auto& positions = surface_->p_world;
-    is_float_ = std::all_of(positions.begin(), positions.end(), [](const glm::dvec3& p) {
+    is_float_ = std::ranges::all_of(positions, [](const glm::dvec3& p) {
         return is_float(p.x) && is_float(p.y) && is_float(p.z);
     });
     has_normals_ = !surface_->n_world.empty();

@@ -128,8 +128,7 @@ MeshResult MeshPass::draw(const PassFormat& asked, const MeshInput& input, TileS
         find_still_tiles(input, runs, scratch_->objects, result.still);
         SkipCount& count = count_of(result.skips, Skip::temporal_reuse);
         count.of = tiles;
-        count.skipped =
-            static_cast<std::uint64_t>(std::count(result.still.begin(), result.still.end(), 1));
+        count.skipped = static_cast<std::uint64_t>(std::ranges::count(result.still, 1));
     } else {
         scratch_->objects.clear();
     }

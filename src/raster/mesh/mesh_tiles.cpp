@@ -48,8 +48,7 @@ MeshTileWorker::MeshTileWorker(const MeshJob& job,
 void MeshTileWorker::draw_front(int tile) {
     const auto has_lanes = [tile](const MeshRun& run) {
         const auto list = run.of(tile);
-        return std::any_of(
-            list.begin(), list.end(), [](std::uint32_t entry) { return !is_scalar(entry); });
+        return std::ranges::any_of(list, [](std::uint32_t entry) { return !is_scalar(entry); });
     };
     const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
     if (std::none_of(runs_.begin(), end, has_lanes)) return;
@@ -79,8 +78,8 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         finish(sink);
         return;
     }
-    const bool is_empty = std::all_of(
-        runs_.begin(), runs_.end(), [&](const MeshRun& run) { return run.of(tile).empty(); });
+    const bool is_empty =
+        std::ranges::all_of(runs_, [&](const MeshRun& run) { return run.of(tile).empty(); });
     SkipCount& empty = count_of(skips_, Skip::empty_tiles);
     ++empty.of;
     const bool skips_empty = job_.input.skips.has(Skip::empty_tiles);

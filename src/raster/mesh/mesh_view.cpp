@@ -17,8 +17,7 @@ namespace {
 bool hides_backs(const SolidView& solid,
                  const scene::Cluster& cluster,
                  const scene::Viewpoint& eye) {
-    return solid.hides_backs &&
-           std::none_of(solid.windows.begin(), solid.windows.end(), [&](const Window& window) {
+    return solid.hides_backs && std::ranges::none_of(solid.windows, [&](const Window& window) {
                return window.may_show(cluster.bounds, eye);
            });
 }

@@ -22,7 +22,7 @@ FloatRange depth_in(const SetupTriangle& t, const PixelRect& rect) {
                                           at(rect.x1 - 1, rect.y0),
                                           at(rect.x0, rect.y1 - 1),
                                           at(rect.x1 - 1, rect.y1 - 1)};
-    const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end());
+    const auto [least, greatest] = std::ranges::minmax_element(corners);
     return {*least, *greatest};
 }
 
@@ -205,9 +205,9 @@ bool FlatProof::is_unlimited(const Listed& listed, const PixelRect& rect) const 
 }
 
 bool FlatProof::is_flat(const PixelRect& rect) const {
-    const auto owner = std::find_if(triangles_.begin(), triangles_.end(), [&](const Listed& l) {
+    const auto owner = std::ranges::find_if(triangles_, [&](const Listed& l) {
         return holds(l.triangle().bounds, rect) && covers(l.triangle(), rect) &&
-               std::all_of(triangles_.begin(), triangles_.end(), [&](const Listed& other) {
+               std::ranges::all_of(triangles_, [&](const Listed& other) {
                    return (other.batch == l.batch && other.index == l.index) ||
                           !touches(other.triangle(), rect) || is_behind(other, l, rect);
                });

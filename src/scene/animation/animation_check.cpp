@@ -164,8 +164,7 @@ void check_frames(const Scene& scene, const Animation& animation, const Complain
 void check_weights(const Skin& skin, const std::string& name, const Complaint& complain) {
     const auto& first = skin.first_weight;
     complain.unless(first.size() == skin.positions.size() + 1 && first.front() == 0 &&
-                        std::is_sorted(first.begin(), first.end()) &&
-                        first.back() == skin.weights.size(),
+                        std::ranges::is_sorted(first) && first.back() == skin.weights.size(),
                     name + " does not say which weights are whose",
                     "a place in the list for every vertex");
     for (const BoneWeight& weight : skin.weights) {

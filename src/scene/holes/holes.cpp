@@ -63,7 +63,7 @@ bool hangs_together_outside(const Surface& moved,
     std::vector<std::uint32_t> places(
         first + parts.front().first_vertex,
         first + parts.back().first_vertex + parts.back().vertex_count);
-    std::sort(places.begin(), places.end());
+    std::ranges::sort(places);
     places.erase(std::unique(places.begin(), places.end()), places.end());
     core::DisjointSets groups(places.size());
     for (const Cluster& cluster : parts) {
@@ -72,7 +72,7 @@ bool hangs_together_outside(const Surface& moved,
             indices[v] = static_cast<std::uint32_t>(
                 std::ranges::lower_bound(places, clusters.places[cluster.first_vertex + v]) -
                 places.begin());
-        const bool is_near = std::any_of(balls.begin(), balls.end(), [&](const Sphere& ball) {
+        const bool is_near = std::ranges::any_of(balls, [&](const Sphere& ball) {
             const double reach = (ball.radius + cluster.bounds.radius) * kOutwards;
             return square_of(cluster.bounds.center_world - ball.center_world) <= reach * reach;
         });
@@ -85,7 +85,7 @@ bool hangs_together_outside(const Surface& moved,
                 const double radius = ball.radius * kOutwards;
                 return !(square_to(p, ball.center_world) > radius * radius);
             };
-            if (is_near && std::any_of(balls.begin(), balls.end(), meets)) continue;
+            if (is_near && std::ranges::any_of(balls, meets)) continue;
             groups.join(indices[corners[0]], indices[corners[1]]);
             groups.join(indices[corners[0]], indices[corners[2]]);
         }
@@ -93,7 +93,7 @@ bool hangs_together_outside(const Surface& moved,
     std::uint32_t outside = ~0U;
     for (std::uint32_t i = 0; i < places.size(); ++i) {
         const glm::dvec3& p = moved.p_world[places[i]];
-        const bool is_inside = std::any_of(balls.begin(), balls.end(), [&](const Sphere& ball) {
+        const bool is_inside = std::ranges::any_of(balls, [&](const Sphere& ball) {
             return square_of(p - ball.center_world) < ball.radius * ball.radius / kOutwards;
         });
         if (is_inside) continue;
@@ -314,7 +314,7 @@ bool refresh_holes(const Surface& moved,
         };
         // Where the faces at a rim bend over, they may miss a fan that rises or sinks.
         constexpr std::array kHeights = {0.0, -0.25, 0.25};
-        hole.is_covered = std::any_of(kHeights.begin(), kHeights.end(), may_cover);
+        hole.is_covered = std::ranges::any_of(kHeights, may_cover);
         if (!hole.is_covered) {
             raise_apex(rim, 0, hole);
             hole.bounds.radius *= 1.05;  // so that no corner of the rim is left outside alone

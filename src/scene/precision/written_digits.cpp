@@ -71,7 +71,7 @@ double written_rounding(const Mesh& mesh) {
 std::vector<double> written_roundings(const Scene& scene, std::span<const glm::dvec3> p_world) {
     const double most = kMostWritten * box_of(p_world).diagonal();
     std::vector<double> of_mesh(scene.meshes.size());
-    std::transform(scene.meshes.begin(), scene.meshes.end(), of_mesh.begin(), written_rounding);
+    std::ranges::transform(scene.meshes, of_mesh.begin(), written_rounding);
     std::vector<double> of_object;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];

@@ -87,7 +87,7 @@ Camera framed(Camera camera,
               double fill,
               const Scene& scene) {
     const bool is_one_place =
-        std::all_of(points.begin(), points.end(), [&](const auto& p) { return p == points[0]; });
+        std::ranges::all_of(points, [&](const auto& p) { return p == points[0]; });
     if (is_one_place) return camera;
     const Sphere bounds = bounding_sphere(scene);
     if (camera.is_parallel()) {
@@ -121,7 +121,7 @@ Scene only_objects(const Scene& scene, std::span<const std::string> names) {
                           core::known_names({known.begin(), known.end()}, name));
     }
     std::erase_if(result.instances, [&](const Instance& instance) {
-        return std::find(names.begin(), names.end(), instance.name) == names.end();
+        return std::ranges::find(names, instance.name) == names.end();
     });
     return result;
 }

@@ -42,7 +42,7 @@ bool Visibility::is_coplanar(std::uint32_t face0, std::uint32_t face1) const {
     const auto point = [&](std::uint32_t i) {
         return scene::rounded_point(eye_.model.topology, i);
     };
-    return std::all_of(w.begin(), w.end(), [&](std::uint32_t i) {
+    return std::ranges::all_of(w, [&](std::uint32_t i) {
         return scene::sure_orient3d(point(v[0]), point(v[1]), point(v[2]), point(i)) == 0;
     });
 }

@@ -62,8 +62,7 @@ std::vector<std::uint32_t> along_the_curve(const std::vector<scene::Box>& boxes)
     }
     sort_by_key(keyed);
     std::vector<std::uint32_t> order(boxes.size());
-    std::transform(
-        keyed.begin(), keyed.end(), order.begin(), [](const Keyed& k) { return k.index; });
+    std::ranges::transform(keyed, order.begin(), [](const Keyed& k) { return k.index; });
     return order;
 }
 

@@ -102,7 +102,7 @@ class Pair {
 
     [[nodiscard]] bool is_shared(std::size_t i, Side side) const {
         const auto& others = face_[1 - i]->edges;
-        return std::find(others.begin(), others.end(), face_[i]->edges[side]) != others.end();
+        return std::ranges::find(others, face_[i]->edges[side]) != others.end();
     }
 
     [[nodiscard]] static Span span_of(const Signs& s) {

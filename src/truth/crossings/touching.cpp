@@ -67,7 +67,7 @@ class Bundle {
     /// Whether own faces go on to the side of a touching sheet, which is nearer the eye than they.
     [[nodiscard]] bool hides_own(const Sheet& sheet) const {
         const auto own = eye_.model.topology.faces_of(edge_);
-        return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
+        return std::ranges::any_of(own, [&](std::uint32_t f) {
             return side_of(opposite_vertex(eye_.model.topology.faces[f], edge_)) ==
                    side_of(sheet.vertex);
         });
@@ -80,7 +80,7 @@ class Bundle {
     [[nodiscard]] bool covers(const Sheet& sheet, const scene::Edge& edge) const {
         const auto& faces = eye_.model.topology.faces;
         const auto all = eye_.model.topology.faces_of(edge);
-        return std::any_of(all.begin(), all.end(), [&](std::uint32_t f) {
+        return std::ranges::any_of(all, [&](std::uint32_t f) {
             const std::uint32_t v = opposite_vertex(faces[f], edge);
             return side_of(v) == side_of(sheet.vertex) && orientation(v, sheet.vertex) == 0;
         });
