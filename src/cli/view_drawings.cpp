@@ -72,13 +72,11 @@ draw::Sheet sheet_of(const scene::View& view,
 }
 
 truth::TracedLines lines_of(truth::SceneModel& model, const scene::View& view, bool hidden) {
-    const truth::TruthOptions& options = model.options();
     try {
-        return draw::trace_drawn_lines(
-            model.model(),
-            view,
-            {.threads = options.threads, .limits = options.limits, .progress = options.progress},
-            hidden ? truth::Hidden::keep : truth::Hidden::leave_out);
+        return draw::trace_drawn_lines(model.model(),
+                                       view,
+                                       model.options(),
+                                       hidden ? truth::Hidden::keep : truth::Hidden::leave_out);
     } catch (const truth::TooLarge& reason) {
         end_too_large(model.scene().name, reason);
     }

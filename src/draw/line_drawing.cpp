@@ -62,12 +62,12 @@ std::string group(std::span<const truth::Polyline> lines,
 
 truth::TracedLines trace_drawn_lines(const truth::Model& model,
                                      const scene::View& view,
-                                     const truth::TruthTrace& trace,
+                                     const truth::TruthOptions& options,
                                      truth::Hidden hidden) {
     if (view.width_px <= 0 || view.height_px <= 0) return {};
-    const truth::EyeView eye(model, view, trace.threads);
-    const truth::EyeScene scene(model.topology, view.camera, trace.threads);
-    return truth::trace_lines(eye, scene, trace, hidden);
+    const truth::EyeView eye(model, view, options.threads);
+    const truth::EyeScene scene(model.topology, view.camera, options.threads);
+    return truth::trace_lines(eye, scene, options, hidden);
 }
 
 DrawnLines joined_by_class(truth::TracedLines lines) {

@@ -21,7 +21,7 @@ struct DrawnLines {
 /// truth::trace_lines(). An empty image has no lines.
 [[nodiscard]] truth::TracedLines trace_drawn_lines(const truth::Model& model,
                                                    const scene::View& view,
-                                                   const truth::TruthTrace& trace,
+                                                   const truth::TruthOptions& options,
                                                    truth::Hidden hidden);
 
 /// Joins pieces by class, whatever lies behind them: a run ends at a corner where more than two

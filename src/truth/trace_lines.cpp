@@ -240,7 +240,7 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
 /// What the tasks have spent together, and how far they are.
 class Account {
   public:
-    Account(const TruthTrace& trace, std::size_t tasks) : trace_(trace), tasks_(tasks) {}
+    Account(const TruthOptions& options, std::size_t tasks) : options_(options), tasks_(tasks) {}
 
     void add(const TracedLines& part) {
         samples_ += part.samples;
@@ -248,15 +248,15 @@ class Account {
         const std::size_t done = ++done_;
         // Whoever comes while another thread reports need not wait: the next one will say more.
         const std::unique_lock lock(reporting_, std::try_to_lock);
-        if (trace_.progress && lock) trace_.progress(done, tasks_);
+        if (options_.progress && lock) options_.progress(done, tasks_);
     }
     /// Once it is, it stays so: whether it ends so does not depend on the order of the tasks.
     [[nodiscard]] bool is_overdrawn() const {
-        return samples_ > trace_.limits.samples || rays_ > trace_.limits.rays;
+        return samples_ > options_.limits.samples || rays_ > options_.limits.rays;
     }
 
   private:
-    const TruthTrace& trace_;
+    const TruthOptions& options_;
     std::size_t tasks_;
     std::atomic<std::size_t> samples_{0}, rays_{0}, done_{0};
     std::mutex reporting_;
@@ -266,14 +266,14 @@ class Account {
 
 TracedLines trace_lines(const EyeView& eye,
                         const EyeScene& scene,
-                        const TruthTrace& trace,
+                        const TruthOptions& options,
                         Hidden hidden) {
     check_crossings(eye.model);
     const Visibility visibility(eye, scene);
     const Tracing tracing{eye, visibility, hidden, feature_edges(eye), seen_crossings(eye)};
     const std::size_t count = tracing.edges.size() + tracing.crossings.size();
     std::vector<TracedLines> parts((count + kChunk - 1) / kChunk);
-    Account account(trace, parts.size());
+    Account account(options, parts.size());
     const auto trace_part = [&](std::size_t chunk) {
         if (account.is_overdrawn()) return;
         const std::size_t begin = chunk * kChunk;
@@ -283,14 +283,14 @@ TracedLines trace_lines(const EyeView& eye,
     const auto samples_of = [&](std::size_t i) { return parts[i].samples; };
     const auto rays_of = [&](std::size_t i) { return parts[i].rays; };
     const bool is_whole =
-        run_pilots_first(parts.size(), trace.threads, trace_part, [&](std::size_t stride) {
-            return will_exceed(parts.size(), stride, trace.limits.samples, samples_of) ||
-                   will_exceed(parts.size(), stride, trace.limits.rays, rays_of);
+        run_pilots_first(parts.size(), options.threads, trace_part, [&](std::size_t stride) {
+            return will_exceed(parts.size(), stride, options.limits.samples, samples_of) ||
+                   will_exceed(parts.size(), stride, options.limits.rays, rays_of);
         });
     if (!is_whole || account.is_overdrawn()) {
         throw TooLarge(std::to_string(count) + " lines need more than " +
-                       std::to_string(trace.limits.samples) + " samples or " +
-                       std::to_string(trace.limits.rays) +
+                       std::to_string(options.limits.samples) + " samples or " +
+                       std::to_string(options.limits.rays) +
                        " rays; fewer objects, a simpler mesh or a smaller image would help");
     }
     TracedLines all;

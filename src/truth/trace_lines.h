@@ -30,7 +30,7 @@ enum class Hidden { leave_out, keep };
 /// Hidden pieces have no kind. With the visible ones they are all of every line that is clipped.
 [[nodiscard]] TracedLines trace_lines(const EyeView& eye,
                                       const EyeScene& scene,
-                                      const TruthTrace& trace,
+                                      const TruthOptions& options,
                                       Hidden hidden = Hidden::leave_out);
 
 }  // namespace ink::truth

@@ -267,25 +267,25 @@ TruthCounts counts_of(const Model& model,
 
 }  // namespace
 
-Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace) {
+Truth trace_truth(const Model& model, const scene::View& view, const TruthOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     if (view.width_px <= 0 || view.height_px <= 0) return {};
-    const EyeView eye(model, view, trace.threads);
-    const EyeScene scene(model.topology, view.camera, trace.threads);
+    const EyeView eye(model, view, options.threads);
+    const EyeScene scene(model.topology, view.camera, options.threads);
 
     Truth truth;
-    TracedLines lines = trace_lines(eye, scene, trace);
-    lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
+    TracedLines lines = trace_lines(eye, scene, options);
+    lines.rays += fill_curve_facts(eye, scene, lines.curves, options.threads);
     LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px, model.crease_rad);
     truth.counts = counts_of(model, view, lines, image);
     truth.labels = std::move(image.labels);
     truth.below_crease = std::move(image.below_crease);
     truth.curves = std::move(lines.curves);
-    if (trace.layers) {
-        TracedLayers seen = trace_layers(eye, scene, trace.threads);
-        truth.sampled = draw_sampled(eye, seen.face, trace.threads);
+    if (options.layers) {
+        TracedLayers seen = trace_layers(eye, scene, options.threads);
+        truth.sampled = draw_sampled(eye, seen.face, options.threads);
         truth.exact_corner =
-            draw_exact_corner(eye, trace_corners(eye, scene, trace.threads), trace.threads);
+            draw_exact_corner(eye, trace_corners(eye, scene, options.threads), options.threads);
         truth.layers = std::move(seen.layers);
     }
     truth.trace_s = seconds_since(begin);
@@ -295,8 +295,7 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
 Truth trace_truth(const scene::Scene& scene, const scene::View& view, const TruthOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     const Model model = build_model(scene, options);
-    Truth truth = trace_truth(
-        model, view, {options.threads, options.layers, options.limits, options.progress});
+    Truth truth = trace_truth(model, view, options);
     truth.trace_s = seconds_since(begin);
     return truth;
 }

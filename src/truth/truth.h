@@ -82,18 +82,10 @@ struct Truth {
 
 struct Model;
 
-/// How one view of a model is traced; nothing here changes a result, but limits may refuse one.
-struct TruthTrace {
-    int threads = 1;
-    bool layers = true;  ///< also layers, `sampled` and `exact_corner`; without, they stay empty
-    TruthLimits limits = {};
-    TruthProgress progress = {};  ///< may be empty
-};
-
 /// The same from a model (model.h) that serves many views; `trace_s` then leaves the model's own
-/// time out.
+/// time out. Of the options threads, layers, limits and progress count.
 [[nodiscard]] Truth trace_truth(const Model& model,
                                 const scene::View& view,
-                                const TruthTrace& trace);
+                                const TruthOptions& options);
 
 }  // namespace ink::truth

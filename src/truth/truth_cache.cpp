@@ -197,12 +197,11 @@ Truth cached_truth(SceneModel& scene,
                    const scene::View& view,
                    const std::filesystem::path& cache_dir) {
     const TruthOptions& options = scene.options();
-    const TruthTrace trace{options.threads, options.layers, options.limits, options.progress};
-    if (cache_dir.empty()) return trace_truth(scene.model(), view, trace);
+    if (cache_dir.empty()) return trace_truth(scene.model(), view, options);
     const std::string key = truth_key(scene.scene(), view, options);
     const fs::path path = cache_dir / (key + ".truth");
     if (auto truth = load(path, key, view)) return std::move(*truth);
-    Truth truth = trace_truth(scene.model(), view, trace);
+    Truth truth = trace_truth(scene.model(), view, options);
     core::keep_file(path, encode_truth(truth, key));
     return truth;
 }

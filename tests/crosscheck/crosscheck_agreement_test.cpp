@@ -28,7 +28,7 @@ struct Both {
 
 Both find_both(const truth::Model& model, const scene::View& view) {
     return {&model,
-            truth::trace_truth(model, view, {2, false}).curves,
+            truth::trace_truth(model, view, {.threads = 2, .layers = false}).curves,
             sample_lines(model.topology, view, two_threads())};
 }
 

@@ -127,7 +127,8 @@ int expect_no_tie(int scenes,
         const glm::dvec3 sight = glm::normalize(setting.target - setting.eye);
         if (std::abs(sight.y) > 0.99) setting.up = {1, 0, 0};
         const truth::Model model = truth::build_model(setting.scene, {.threads = 1});
-        const truth::Truth truth = truth::trace_truth(model, setting.view(), {1, false});
+        const truth::Truth truth =
+            truth::trace_truth(model, setting.view(), {.threads = 1, .layers = false});
         expect_agreement(model, setting.view(), truth);
         ++seen;
     }
@@ -181,7 +182,8 @@ TEST(LatticeHouse, SeenFromInsideAlongItsWallsThereIsNoTie) {
              {scene::ProjectionKind::perspective, scene::ProjectionKind::parallel}) {
             setting.projection = kind;
             SCOPED_TRACE(scene::kProjectionNames[static_cast<std::size_t>(kind)]);
-            const truth::Truth truth = truth::trace_truth(model, setting.view(), {1, false});
+            const truth::Truth truth =
+                truth::trace_truth(model, setting.view(), {.threads = 1, .layers = false});
             expect_agreement(model, setting.view(), truth, kind == scene::ProjectionKind::parallel);
         }
     }
@@ -238,7 +240,8 @@ TEST_P(LatticeLaw, TurnedAndRoundedAnewTheLinesAreTheSame) {
         setting.target = turn * setting.target;
         setting.up = turn * setting.up;
         const truth::Model model = truth::build_model(setting.scene, {.threads = 1});
-        const truth::Truth truth = truth::trace_truth(model, setting.view(), {1, false});
+        const truth::Truth truth =
+            truth::trace_truth(model, setting.view(), {.threads = 1, .layers = false});
         auto found = truth::lengths(truth);
         for (const truth::LineClass line_class : truth::kLineClasses) {
             const double length = expected[line_class];
