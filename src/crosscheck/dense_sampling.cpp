@@ -8,7 +8,6 @@
 
 #include "core/parallel.h"
 #include "crosscheck/edge_probes.h"
-#include "crosscheck/explanation.h"
 #include "crosscheck/known_lines.h"
 #include "crosscheck/sample_cells.h"
 
@@ -84,8 +83,7 @@ class FineGrid {
     [[nodiscard]] Sample& at(int x, int y) { return samples_[y * (kSubsamples + 1) + x]; }
     /// For each way 1 if nothing but known lines lies between its ends.
     [[nodiscard]] std::vector<char> judge(std::span<const Way> ways) {
-        if (known_ != nullptr)
-            return explain_all(*known_, rays_, ways, Explanation::Reach::whole, counts.rays);
+        if (known_ != nullptr) return explain_all(*known_, rays_, ways, Reach::whole, counts.rays);
         std::vector<char> is_plain(ways.size());
         std::ranges::transform(ways, is_plain.begin(), [&](const Way& way) {
             return is_joined(rays_.mesh(), way.from, way.to);
@@ -155,7 +153,7 @@ class Looking {
     /// adds what it is. What comes after a known line is seen from there.
     void judge_ways(const KnownLines& edges, const std::vector<Way>& all) {
         take(in_chunks(all.size(), kChunk, [&](std::size_t begin, std::size_t end, Part& part) {
-            using enum Explanation::Reach;
+            using enum Reach;
             std::vector<Way> ways(all.begin() + static_cast<std::ptrdiff_t>(begin),
                                   all.begin() + static_cast<std::ptrdiff_t>(end));
             for (const auto reach : {first_line, whole})
@@ -179,7 +177,7 @@ class Looking {
         take(in_chunks(all.size(), kChunk, [&](std::size_t begin, std::size_t end, Part& part) {
             std::vector<LatticeWay> ways(all.begin() + static_cast<std::ptrdiff_t>(begin),
                                          all.begin() + static_cast<std::ptrdiff_t>(end));
-            keep_unexplained(edges, Explanation::Reach::whole, ways, part);
+            keep_unexplained(edges, Reach::whole, ways, part);
             std::vector<Sample> ends;
             for (const LatticeWay& way : ways)
                 ends.insert(ends.end(), {way.from, way.to});
@@ -189,7 +187,7 @@ class Looking {
                 ways[i].from = ends[2 * i];
                 ways[i].to = ends[2 * i + 1];
             }
-            keep_unexplained(edges, Explanation::Reach::whole, ways, part);
+            keep_unexplained(edges, Reach::whole, ways, part);
             for (const LatticeWay& way : ways)
                 part.cells.insert(part.cells.end(), way.cells.begin(), way.cells.end());
         }));
@@ -198,7 +196,7 @@ class Looking {
     /// Takes away the ways that the edges explain.
     template <class W>
     void keep_unexplained(const KnownLines& edges,
-                          Explanation::Reach reach,
+                          Reach reach,
                           std::vector<W>& ways,
                           Part& part) const {
         const std::vector<Way> plain(ways.begin(), ways.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
@@ -67,5 +68,15 @@ void add_crossings(const SightRays& rays,
                    std::span<const CellWay> ways,
                    double spacing_px,
                    Crossings& found);
+
+/// What is to be explained: the whole way, or only the first line that it crosses.
+enum class Reach { whole, first_line };
+
+/// For each way 1 if it is explained, else 0. Adds to `rays` the looks it took.
+[[nodiscard]] std::vector<char> explain_all(const KnownLines& known,
+                                            const SightRays& rays,
+                                            std::span<const Way> ways,
+                                            Reach reach,
+                                            std::size_t& ray_count);
 
 }  // namespace ink::crosscheck
