@@ -5,7 +5,7 @@
 #include "buffers/each_tile.h"
 #include "core/parallel.h"
 #include "methods/grey_lines/ink.h"
-#include "scene/views/corner_view.h"
+#include "scene/camera.h"
 
 namespace ink::methods {
 AskedSides::AskedSides(const LookupPass& pass, const raster::Tile& tile) {

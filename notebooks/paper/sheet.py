@@ -51,7 +51,7 @@ def colours_of(table):
 
 def ink_table(colour):
     """The colour on paper by its share of a pixel, 0..255, mixed in linear light as
-    `src/shade/lay_ink.cpp` does."""
+    `src/shade/compose.cpp` does."""
     paper, ink = np.array([to_rgb(PAPER), to_rgb(colour)])
     light = [np.where(of <= 0.04045, of / 12.92, ((of + 0.055) / 1.055) ** 2.4) for of in (paper, ink)]
     mixed = light[0] + np.linspace(0, 1, 256)[:, None] * (light[1] - light[0])

@@ -1,18 +1,9 @@
 #include "buffers/depth_fill.h"
 
 namespace ink::buffers {
-namespace {
-
-raster::PassFormat depth_alone(raster::DepthFormat depth) {
-    raster::PassFormat format;
-    format.depth = depth;
-    return format;
-}
-
-}  // namespace
 
 DepthFill::DepthFill(const InputParams& params, Reads reads)
-    : SurfacePass(params, depth_alone(params.depth_format), reads) {}
+    : SurfacePass(params, {.depth = params.depth_format}, reads) {}
 
 raster::MeshInput DepthFill::see(const method::Frame& frame) {
     inputs().see(frame);

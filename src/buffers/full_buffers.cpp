@@ -11,13 +11,11 @@ namespace ink::buffers {
 namespace {
 
 raster::PassFormat pass_format(const InputParams& params, int halo_px) {
-    raster::PassFormat format;
-    format.interpolants = kChannels;
-    format.store = raster::Store::f32;
-    format.interpolation = params.interpolation;
-    format.depth = params.depth_format;
-    format.halo_px = halo_px;
-    return format;
+    return {.interpolants = kChannels,
+            .store = raster::Store::f32,
+            .interpolation = params.interpolation,
+            .depth = params.depth_format,
+            .halo_px = halo_px};
 }
 
 /// A number of 0..1 as a byte; others are limited.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/param.h"
 #include "raster/pass/pass.h"
 #include "scene/camera.h"
@@ -23,7 +25,9 @@ core::ParamTable<P>& add_samples_param(core::ParamTable<P>& table) {
 }
 
 /// The view that a pass has to draw: `view`, or scene::corner_view() of it.
-[[nodiscard]] scene::View sampled_view(const scene::View& view, Samples samples);
+[[nodiscard]] inline scene::View sampled_view(const scene::View& view, Samples samples) {
+    return samples == Samples::corner ? scene::corner_view(view) : view;
+}
 
 /// A tile without what lies beyond an image of width_px x height_px; its size may become 0.
 ///
@@ -31,6 +35,10 @@ core::ParamTable<P>& add_samples_param(core::ParamTable<P>& table) {
 /// pixels whose upper left corners it owns, from its samples (x, y) to (x + 1, y + 1), hence needs
 /// a halo of 1 px. The last row and column of samples have no pixel. In a pass over centres the
 /// tile comes back as it is.
-[[nodiscard]] raster::Tile output_tile(const raster::Tile& tile, int width_px, int height_px);
+[[nodiscard]] inline raster::Tile output_tile(raster::Tile tile, int width_px, int height_px) {
+    tile.width_px = std::clamp(width_px - tile.x0_px, 0, tile.width_px);
+    tile.height_px = std::clamp(height_px - tile.y0_px, 0, tile.height_px);
+    return tile;
+}
 
 }  // namespace ink::buffers

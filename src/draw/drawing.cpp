@@ -15,7 +15,7 @@
 #include "edge/thin.h"
 #include "image_io/image_file.h"
 #include "methods/antialias.h"
-#include "shade/lay_ink.h"
+#include "shade/compose.h"
 
 namespace ink::draw {
 namespace {

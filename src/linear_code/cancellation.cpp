@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "score/attribution.h"
-#include "truth/curve_map.h"
+#include "truth/label_image.h"
 
 namespace ink::linear_code {
 namespace {

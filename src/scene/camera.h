@@ -99,6 +99,18 @@ struct ParallelLook {
 /// that is further; near and far stay. A pinhole sees 1 to 170 degrees.
 [[nodiscard]] Camera projected(ProjectionKind kind, const Camera& camera, const Sphere& bounds);
 
+/// The same camera with so many columns and rows more, half of them on either side: the same focal
+/// length in px and the same middle. Only its angle, or height, grows, as it belongs to more rows.
+/// A view without pixels comes back as it is.
+[[nodiscard]] View grown_view(const View& view, int more_px);
+
+/// The view whose pixel centres are the pixel corners of `view`: grown by one, so that the centre
+/// of its pixel (x, y) is the upper left corner of pixel (x, y) of `view`, (0, 0) to (width_px,
+/// height_px).
+[[nodiscard]] inline View corner_view(const View& view) {
+    return grown_view(view, 1);
+}
+
 /// The w of Projection at a distance along the view direction.
 [[nodiscard]] inline double w_of_depth(const Camera& camera, double depth) {
     if (!camera.is_parallel()) return depth;

@@ -74,7 +74,7 @@ void check_instance(const Scene& scene, std::size_t index) {
 void check_light(const Scene& scene, std::size_t index) {
     const OmniLight& light = scene.lights[index];
     const bool is_good = std::isfinite(glm::length(light.p_world)) && is_finite(light.color) &&
-                         std::isfinite(light.range) && std::isfinite(light.inner_range);
+                         std::isfinite(light.range);
     if (is_good) return;
     throw core::Error(fmt::format("{}, light {}", scene.name, index),
                       "its place, colour or range is not finite",

@@ -37,8 +37,7 @@ struct Instance {
 struct OmniLight {
     glm::dvec3 p_world{0};
     glm::vec3 color{1};
-    double range = 0;        ///< world units at which it visibly ends; 0 reaches everywhere
-    double inner_range = 0;  ///< up to here, at most to the range, nothing of it is lost
+    double range = 0;  ///< world units at which it visibly ends; 0 reaches everywhere
 };
 
 /// Which part of the suite a scene belongs to: views of one scene leak, so scenes are split, not

@@ -35,9 +35,7 @@ void add_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
 }  // namespace
 
 double reach(const scene::OmniLight& lamp, double distance) {
-    if (!(lamp.range > 0) || distance <= lamp.inner_range) return 1;
-    if (distance >= lamp.range) return 0;
-    return 1 - (distance - lamp.inner_range) / (lamp.range - lamp.inner_range);
+    return lamp.range > 0 ? std::max(0.0, 1 - distance / lamp.range) : 1;
 }
 
 glm::vec3 light_at(const glm::dvec3& p_world,

@@ -11,8 +11,8 @@
 
 namespace ink::shade {
 
-/// How much of a lamp's light arrives at distance `distance`: 1 up to its inner range, then falling
-/// evenly to 0 at its range, where it ends with a bend that can be seen; 1 everywhere for range 0.
+/// How much of a lamp's light arrives at distance `distance`: falling evenly from 1 to
+/// 0 at its range, where it ends with a bend that can be seen; 1 everywhere for range 0.
 /// Never negative.
 ///
 /// As engines of 1998 had it; real light falls with the square and never ends.

@@ -23,7 +23,6 @@
 #include "scene/animation.h"
 #include "scene/views/camera_path.h"
 #include "shade/compose.h"
-#include "shade/lay_ink.h"
 #include "shade/shading.h"
 
 namespace ink::studies {

@@ -5,7 +5,7 @@
 #include "core/disjoint_sets.h"
 #include "core/parallel.h"
 #include "scene/precision/weld_tolerance.h"
-#include "truth/crossings/slit_crossings.h"
+#include "truth/crossings/crossings.h"
 
 namespace ink::truth {
 namespace {

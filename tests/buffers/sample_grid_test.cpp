@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/views/corner_view.h"
+#include "scene/camera.h"
 #include "tests/methods/small_scenes.h"
 
 namespace ink::buffers {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/views/corner_view.h"
+#include "scene/camera.h"
 #include "tests/inspect/compare_ids.h"
 
 namespace ink::raster {

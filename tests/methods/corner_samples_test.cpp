@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "raster/pass/pass.h"
+#include "scene/camera.h"
 #include "scene/surface.h"
-#include "scene/views/corner_view.h"
 #include "tests/methods/small_scenes.h"
 #include "tests/raster/gather_sink.h"
 

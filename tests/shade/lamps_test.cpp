@@ -23,17 +23,6 @@ TEST(Reach, ARangeOfZeroReachesEverywhere) {
     EXPECT_EQ(reach(lamp_at({0, 0, 0}, 0), 1e9), 1);
 }
 
-TEST(Reach, LosesNothingUpToTheInnerRange) {
-    scene::OmniLight lamp = lamp_at({0, 0, 0}, 8);
-    lamp.inner_range = 4;
-    EXPECT_EQ(reach(lamp, 4), 1);
-    EXPECT_EQ(reach(lamp, 5), 0.75);
-    EXPECT_EQ(reach(lamp, 8), 0);
-    lamp.inner_range = 8;
-    EXPECT_EQ(reach(lamp, 8), 1);
-    EXPECT_EQ(reach(lamp, 8.001), 0) << "it ends at a step";
-}
-
 TEST(LightAt, IsAmbientPlusCosineTimesReach) {
     // The lamp stands 5 away under a cosine of 0.8; half its range.
     const std::array lamps{lamp_at({3, 4, 0}, 10)};

@@ -1,4 +1,4 @@
-#include "shade/lay_ink.h"
+#include "shade/compose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "truth/curve_map.h"
 
 #include <gtest/gtest.h>
 

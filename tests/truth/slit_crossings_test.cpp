@@ -1,4 +1,3 @@
-#include "truth/crossings/slit_crossings.h"
 
 #include <numbers>
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "score/matching.h"
-#include "truth/curve_map.h"
+#include "truth/label_image.h"
 
 namespace ink::harness {
 namespace {

@@ -1,4 +1,5 @@
-#include "truth/crossings/slit_crossings.h"
+#include "truth/crossings/continuation.h"
+#include "truth/crossings/crossings.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
