@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cstdlib>
 
+#include "edge/laplacian_plan.h"
+
 namespace ink::edge {
 namespace {
 
@@ -12,6 +14,18 @@ int nearest_to_zero(int value, int bits) {
     const int modulus = 1 << bits;
     const int low = value & (modulus - 1);
     return low >= modulus / 2 ? low - modulus : low;
+}
+
+Reading reading_of(const LaplacianResponse& response) {
+    switch (response.response) {
+        case Response::absolute:
+            return response.code_wraps ? Reading::wrapped_absolute : Reading::absolute;
+        case Response::positive:
+            return response.code_wraps ? Reading::wrapped_positive : Reading::positive;
+        case Response::wrap:
+            break;
+    }
+    return Reading::literal;
 }
 
 }  // namespace
@@ -30,6 +44,34 @@ std::uint8_t respond(int laplacian, const LaplacianResponse& r) {
     const int read = r.response == Response::absolute ? std::abs(laplacian) : laplacian;
     const int v = (std::max(read, 0) & keep) >> right;
     return v > 255 >> left ? std::uint8_t{255} : static_cast<std::uint8_t>(v << left);
+}
+
+LaplacianPlan::LaplacianPlan(const LaplacianResponse& response, int store_bits)
+    : reading(reading_of(response)),
+      code_shift(store_bits - response.code_bits),
+      keep(~((1U << response.clip_bits) - 1)),
+      low(0),
+      low_right(0),
+      double_first(0),
+      right(std::max(-response.scale_bits, 0)),
+      left(std::min(std::max(response.scale_bits, 0), 8)) {
+    assert(response.clip_bits >= 0 && response.clip_bits <= 15);
+    assert(response.scale_bits >= -15 && response.scale_bits <= 15);
+    assert(response.code_bits >= 1 && response.code_bits <= store_bits);
+    if (reading == Reading::absolute || reading == Reading::positive) {
+        low = right < 2 ? keep & 3 : 0;
+        low_right = std::min(right, 1);
+        double_first = std::max(2 - right, 0);
+        right = std::max(right - 2, 0);
+        keep >>= 2;
+    } else if (reading == Reading::literal) {
+        keep &= (1U << response.code_bits) - 1;
+    }
+    // Lanes cannot be shifted by their own width or more; nothing would be left.
+    if (right >= store_bits || (reading == Reading::literal && left >= 8)) {
+        keep = low = 0;
+        right = left = 0;
+    }
 }
 
 }  // namespace ink::edge

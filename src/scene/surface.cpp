@@ -212,14 +212,4 @@ Surface flatten(const PreparedScene& scene, NormalSource source, double crease_r
     return {};
 }
 
-std::vector<std::int8_t> facings(const Surface& surface, const Viewpoint& eye) {
-    std::vector<std::int8_t> result(surface.triangles.size());
-    for (std::size_t t = 0; t < result.size(); ++t) {
-        const auto& [a, b, c] = surface.triangles[t];
-        result[t] = static_cast<std::int8_t>(
-            facing(surface.p_world[a], surface.p_world[b], surface.p_world[c], eye));
-    }
-    return result;
-}
-
 }  // namespace ink::scene

@@ -37,7 +37,4 @@ struct Surface {
 /// the normal (0, 0, 1): it covers no pixel.
 [[nodiscard]] Surface flatten(const Scene& scene, NormalSource source, double crease_rad);
 
-/// For each triangle whether the eye sees its front (1), its back (-1) or its rim (0), exactly.
-[[nodiscard]] std::vector<std::int8_t> facings(const Surface& surface, const Viewpoint& eye);
-
 }  // namespace ink::scene

@@ -174,15 +174,6 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     topology.written_rounding_world = written_roundings(scene, topology.p_world);
 }
 
-void count_edges(Topology& topology) {
-    for (const Edge& edge : topology.edges) {
-        if (edge.face_count == 1) ++topology.counts.boundary_edges;
-        if (edge.face_count > 2) ++topology.counts.nonmanifold_edges;
-        if (edge.face_count == 2 && !is_consistent(topology, edge))
-            ++topology.counts.inconsistent_edges;
-    }
-}
-
 /// Numbers the edges in the order in which the faces meet them and lists each edge's faces.
 void build_edges(Topology& topology) {
     core::Numbering<EdgeKey> keys(topology.faces.size() * 3 / 2);
@@ -248,7 +239,6 @@ Topology weld(const Scene& scene, const WeldOptions& options) {
     topology.counts.joined_vertices = moves.joined();
     weld_faces(scene, moves, topology);
     build_edges(topology);
-    count_edges(topology);
     measure_deviations(topology);
     return topology;
 }

@@ -48,10 +48,7 @@ struct TopologyCounts {
     std::size_t degenerate = 0;  ///< dropped: two corners welded together, or exactly collinear
     std::size_t duplicate = 0;   ///< dropped: the same three vertices again, in any order
     std::size_t collapsed = 0;   ///< of the degenerate ones those that only epsilon made so
-    std::size_t joined_vertices = 0;     ///< places that epsilon moved onto another one
-    std::size_t boundary_edges = 0;      ///< one face
-    std::size_t nonmanifold_edges = 0;   ///< more than two faces
-    std::size_t inconsistent_edges = 0;  ///< two faces that run through it in the same direction
+    std::size_t joined_vertices = 0;  ///< places that epsilon moved onto another one
 };
 
 /// The scene as one welded polyhedron in world space: what truth and adjacency methods work on.

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/topology.h"
+#include "tests/scene/edge_counts.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::catalogue {
@@ -18,16 +19,13 @@ Cage cube_cage() {
     return cage_of_rings(rings);
 }
 
-scene::TopologyCounts counts_of(const scene::Mesh& mesh) {
-    return scene::weld(scene::scene_of(mesh)).counts;
-}
-
 void expect_closed(const scene::Mesh& mesh) {
-    const scene::TopologyCounts counts = counts_of(mesh);
-    EXPECT_EQ(counts.boundary_edges, 0U);
-    EXPECT_EQ(counts.nonmanifold_edges, 0U);
-    EXPECT_EQ(counts.inconsistent_edges, 0U);
-    EXPECT_EQ(counts.degenerate, 0U);
+    const scene::Topology topology = scene::weld(scene::scene_of(mesh));
+    const scene::EdgeCounts edges = scene::edge_counts(topology);
+    EXPECT_EQ(edges.boundary, 0U);
+    EXPECT_EQ(edges.nonmanifold, 0U);
+    EXPECT_EQ(edges.inconsistent, 0U);
+    EXPECT_EQ(topology.counts.degenerate, 0U);
 }
 
 TEST(Cage, ACubeSubdividedOnceHasTheAverages) {

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "scene/topology.h"
 #include "tests/core/error_text.h"
+#include "tests/scene/edge_counts.h"
 
 namespace ink::catalogue {
 namespace {
@@ -156,12 +157,14 @@ TEST(Catalogue, ClosedScenesAreClosedAndOriented) {
     for (const auto& entry : catalogue()) {
         const Golden* row = golden_of(entry.name);
         ASSERT_NE(row, nullptr) << entry.name;
-        const scene::TopologyCounts counts = scene::weld(entry.make()).counts;
+        const scene::Topology topology = scene::weld(entry.make());
+        const scene::TopologyCounts& counts = topology.counts;
+        const scene::EdgeCounts edges = scene::edge_counts(topology);
         EXPECT_EQ(counts.degenerate, 0U) << entry.name;
         EXPECT_EQ(counts.duplicate, 0U) << entry.name;
-        EXPECT_EQ(counts.nonmanifold_edges, 0U) << entry.name;
-        EXPECT_EQ(counts.inconsistent_edges, 0U) << entry.name;
-        EXPECT_EQ(counts.boundary_edges == 0, row->is_closed) << entry.name;
+        EXPECT_EQ(edges.nonmanifold, 0U) << entry.name;
+        EXPECT_EQ(edges.inconsistent, 0U) << entry.name;
+        EXPECT_EQ(edges.boundary == 0, row->is_closed) << entry.name;
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "catalogue/catalogue_stage.h"
 #include "scene/topology.h"
+#include "tests/scene/edge_counts.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::catalogue {
@@ -37,9 +38,9 @@ void expect_closed(const scene::Mesh& mesh, long euler) {
     const scene::Topology topology = scene::weld(scene::scene_of(mesh));
     EXPECT_EQ(topology.counts.degenerate, 0U);
     EXPECT_EQ(topology.counts.duplicate, 0U);
-    EXPECT_EQ(topology.counts.boundary_edges, 0U);
-    EXPECT_EQ(topology.counts.nonmanifold_edges, 0U);
-    EXPECT_EQ(topology.counts.inconsistent_edges, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).boundary, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).nonmanifold, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).inconsistent, 0U);
     EXPECT_EQ(topology.p_world.size(), mesh.positions.size()) << "a vertex was stored twice";
     EXPECT_EQ(euler_characteristic(topology), euler);
 }

@@ -13,7 +13,7 @@
 #include <span>
 
 #include "core/simd.h"
-#include "raster/pass/vertex_cut.h"
+#include "raster/pass/clip.h"
 #include "raster/pass/view_transform.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/inspect/compare_ids.h"

@@ -6,6 +6,7 @@
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
 #include "tests/import/solids.h"
+#include "tests/scene/edge_counts.h"
 
 namespace ink::import {
 namespace {
@@ -143,7 +144,7 @@ TEST_F(GltfGeometry, ASphereInTwoPrimitivesHasNoSeam) {
     const scene::Topology topology = scene::weld(scene);
     EXPECT_EQ(topology.p_world.size(), 8U);
     EXPECT_EQ(topology.edges.size(), 18U);
-    EXPECT_EQ(topology.counts.boundary_edges, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).boundary, 0U);
     for (const scene::Face& face : topology.faces)
         EXPECT_EQ(face.object, 0U);
 }

@@ -16,6 +16,7 @@
 #include "tests/import/quake_files.h"
 #include "tests/import/solids.h"
 #include "tests/models/fetched_model.h"
+#include "tests/scene/edge_counts.h"
 
 namespace ink::import {
 namespace {
@@ -125,7 +126,7 @@ TEST_F(Import, FileSplitByMaterialWeldsIntoOneClosedSurface) {
     EXPECT_EQ(topology.p_world.size(), 8U);
     EXPECT_EQ(topology.faces.size(), 12U);
     EXPECT_EQ(topology.edges.size(), 18U);
-    EXPECT_EQ(topology.counts.boundary_edges, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).boundary, 0U);
     std::map<std::uint32_t, int> faces_of_material;
     for (const scene::Face& face : topology.faces)
         ++faces_of_material[face.material];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/topology.h"
+#include "tests/scene/edge_counts.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::import {
@@ -23,7 +24,7 @@ void expect_closed_cube(const scene::Topology& topology) {
     EXPECT_EQ(topology.p_world.size(), 8U);
     EXPECT_EQ(topology.faces.size(), 12U);
     EXPECT_EQ(topology.edges.size(), 18U);
-    EXPECT_EQ(topology.counts.boundary_edges, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).boundary, 0U);
     EXPECT_EQ(topology.counts.collapsed, 0U);
 }
 
@@ -38,12 +39,12 @@ bool same(const scene::Topology& a, const scene::Topology& b) {
 
 TEST(WeldEpsilon, ClosesASoupWithCracks) {
     const scene::Scene scene = scene::scene_of(cracked_cube(1e-5F));
-    EXPECT_EQ(scene::weld(scene).counts.boundary_edges, 36U) << "every triangle for itself";
+    EXPECT_EQ(scene::edge_counts(scene::weld(scene)).boundary, 36U) << "every triangle for itself";
     // Corners lie at most 2e-5 sqrt(3) apart, the diagonal is 2 sqrt(3): a share of 1e-5.
     const scene::Topology closed = scene::weld(scene, {.epsilon = 1.2e-5});
     expect_closed_cube(closed);
     EXPECT_GT(closed.counts.joined_vertices, 8U);
-    EXPECT_EQ(scene::weld(scene, {.epsilon = 1e-7}).counts.boundary_edges, 36U);
+    EXPECT_EQ(scene::edge_counts(scene::weld(scene, {.epsilon = 1e-7})).boundary, 36U);
 }
 
 TEST(WeldEpsilon, IsAShareOfEachPart) {
@@ -58,7 +59,7 @@ TEST(WeldEpsilon, IsAShareOfEachPart) {
     const scene::Topology topology = scene::weld(scene, {.epsilon = 1.2e-5});
     EXPECT_EQ(topology.p_world.size(), 16U);
     EXPECT_EQ(topology.faces.size(), 24U);
-    EXPECT_EQ(topology.counts.boundary_edges, 0U);
+    EXPECT_EQ(scene::edge_counts(topology).boundary, 0U);
 }
 
 TEST(WeldEpsilon, DoesNotDependOnTheOrderOfTriangles) {
@@ -102,8 +103,8 @@ TEST(WeldEpsilon, CountsWhatCollapses) {
 
 TEST(WeldEpsilon, ClosesAtAMillionthWhatCollapsesTrianglesOfAFineScan) {
     const scene::Scene soup = scene::scene_of(cracked_cube(5e-7F));
-    EXPECT_EQ(scene::weld(soup).counts.boundary_edges, 36U);
-    EXPECT_EQ(scene::weld(soup, {.epsilon = 1e-6}).counts.boundary_edges, 0U);
+    EXPECT_EQ(scene::edge_counts(scene::weld(soup)).boundary, 36U);
+    EXPECT_EQ(scene::edge_counts(scene::weld(soup, {.epsilon = 1e-6})).boundary, 0U);
     // A sheet of 30 x 30 squares half a millionth wide, of a scene about as large as that cube.
     scene::Mesh scan;
     for (int i = 0; i < 31 * 31; ++i)

@@ -5,7 +5,6 @@
 
 #include "core/simd.h"
 #include "raster/fragments/cluster_fragments.h"
-#include "raster/fragments/fragment_fill.h"
 #include "raster/pass/screen_vertex.h"
 #include "tests/raster/triangle_pile.h"
 

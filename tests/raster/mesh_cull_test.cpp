@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "raster/depth/depth_image.h"
+#include "scene/predicates.h"
 #include "tests/raster/gather_sink.h"
 #include "tests/raster/stage.h"
 
@@ -37,11 +38,12 @@ struct CullStage : Stage {
     /// left.
     [[nodiscard]] core::Image<std::uint32_t> draw_plainly(const Asked& asked) const {
         const std::vector<glm::dvec3> p_clip = clip_places(surface, view);
-        const auto sides = scene::facings(surface, view.camera.viewpoint());
+        const auto& p = surface.p_world;
         std::vector<scene::Triangle> left;
-        for (std::size_t i = 0; i < sides.size(); ++i) {
-            const Cull drops = sides[i] < 0 ? Cull::back : Cull::front;
-            if (drops != asked.cull) left.push_back(surface.triangles[i]);
+        for (const scene::Triangle& t : surface.triangles) {
+            const int side = scene::facing(p[t[0]], p[t[1]], p[t[2]], view.camera.viewpoint());
+            const Cull drops = side < 0 ? Cull::back : Cull::front;
+            if (drops != asked.cull) left.push_back(t);
         }
         PassFormat format;
         format.depth = asked.depth;

@@ -1,4 +1,4 @@
-#include "raster/pass/vertex_cut.h"
+#include "raster/pass/clip.h"
 
 #include <gtest/gtest.h>
 

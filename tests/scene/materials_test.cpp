@@ -6,6 +6,7 @@
 
 #include "scene/animation.h"
 #include "scene/topology.h"
+#include "tests/scene/edge_counts.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {
@@ -38,7 +39,7 @@ TEST(Materials, SurfaceStaysTheSame) {
     const Topology after = weld(scene);
     EXPECT_EQ(after.p_world.size(), before.p_world.size());
     EXPECT_EQ(after.edges.size(), before.edges.size());
-    EXPECT_EQ(after.counts.boundary_edges, 0U);
+    EXPECT_EQ(edge_counts(after).boundary, 0U);
 }
 
 TEST(Materials, ObjectOfOneStaysAsItIs) {
@@ -68,7 +69,7 @@ TEST(Materials, WhatMovesGoesOnMoving) {
     pose_scene(scene, 1);
     const Sphere bounds = bounding_sphere(scene);
     EXPECT_NEAR(bounds.center_world.x, 5, 1e-6);
-    EXPECT_EQ(weld(scene).counts.boundary_edges, 0U) << "both parts have moved";
+    EXPECT_EQ(edge_counts(weld(scene)).boundary, 0U) << "both parts have moved";
 }
 
 }  // namespace

@@ -63,16 +63,5 @@ TEST(Flatten, KeepsTheGlobalTriangleIndexOverDroppedTriangles) {
     }
 }
 
-TEST(Facings, SeeThreeSidesOfACubeFromItsDiagonalAndNoneFromInside) {
-    const Surface surface = flatten(scene_of(unit_cube()));
-    const auto count = [&](const glm::dvec3& eye, int side) {
-        const auto all = facings(surface, {eye});
-        return std::count(all.begin(), all.end(), side);
-    };
-    EXPECT_EQ(count({5, 5, 5}, 1), 6);
-    EXPECT_EQ(count({0, 0, 0}, 1), 0);
-    EXPECT_EQ(count({5, 1, 0}, 0), 2);  // the top is exactly edge-on
-}
-
 }  // namespace
 }  // namespace ink::scene

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "tests/scene/edge_counts.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {
@@ -22,9 +23,9 @@ TEST(Weld, CubeSoupClosesToEightVerticesAndEighteenEdges) {
     EXPECT_EQ(topology.p_world.size(), 8U);
     EXPECT_EQ(topology.faces.size(), 12U);
     EXPECT_EQ(topology.edges.size(), 18U);  // 12 of the cube, 6 diagonals
-    EXPECT_EQ(topology.counts.boundary_edges, 0U);
-    EXPECT_EQ(topology.counts.nonmanifold_edges, 0U);
-    EXPECT_EQ(topology.counts.inconsistent_edges, 0U);
+    EXPECT_EQ(edge_counts(topology).boundary, 0U);
+    EXPECT_EQ(edge_counts(topology).nonmanifold, 0U);
+    EXPECT_EQ(edge_counts(topology).inconsistent, 0U);
 }
 
 TEST(Weld, JoinsOverMeshesAndInstances) {
@@ -51,7 +52,7 @@ TEST(Weld, CountsWhatItDrops) {
     EXPECT_EQ(topology.counts.triangles, 6U);
     EXPECT_EQ(topology.counts.duplicate, 2U);   // in any order and orientation
     EXPECT_EQ(topology.counts.degenerate, 3U);  // collinear, welded corners, equal corners
-    EXPECT_EQ(topology.counts.boundary_edges, 3U);
+    EXPECT_EQ(edge_counts(topology).boundary, 3U);
 }
 
 TEST(Weld, ListsTheTrianglesThatAreNoFacesAndWhichOnesTheyRepeat) {
@@ -75,9 +76,9 @@ TEST(Weld, NonManifoldAndInconsistentEdgesAreCounted) {
     // A fin: three triangles on the edge (0,1); and two that both run 0 -> 1.
     const std::vector<glm::vec3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
     const Topology fin = weld(scene_of(triangles(p, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})));
-    EXPECT_EQ(fin.counts.nonmanifold_edges, 1U);
+    EXPECT_EQ(edge_counts(fin).nonmanifold, 1U);
     const Topology twisted = weld(scene_of(triangles(p, {{0, 1, 2}, {0, 1, 3}})));
-    EXPECT_EQ(twisted.counts.inconsistent_edges, 1U);
+    EXPECT_EQ(edge_counts(twisted).inconsistent, 1U);
 }
 
 TEST(Weld, AMirroredInstanceKeepsItsFrontsOutside) {

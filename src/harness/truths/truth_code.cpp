@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "method/depth_code.h"
-#include "raster/pass/vertex_cut.h"
+#include "raster/pass/clip.h"
 
 namespace ink::harness {
 

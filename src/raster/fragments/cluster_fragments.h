@@ -91,4 +91,12 @@ std::size_t keep_fragments(const PassFormat& format,
                            const FragmentTile& tile,
                            std::byte* to);
 
+class TileBuffer;
+
+/// Draws `count` fragments of a block in order into the tile that they were kept for.
+void fill_fragments(const PassFormat& format,
+                    const FragmentBlock& block,
+                    std::size_t count,
+                    TileBuffer& to);
+
 }  // namespace ink::raster

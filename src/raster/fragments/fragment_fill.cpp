@@ -1,4 +1,5 @@
-#include "raster/fragments/fragment_fill.h"
+#include "raster/fragments/cluster_fragments.h"
+#include "raster/pass/tile_buffer.h"
 
 namespace ink::raster {
 namespace {

@@ -315,8 +315,6 @@ int line_width_px(double width_px) {
 
 LinePass::LinePass() : scratch_(std::make_unique<Scratch>()) {}
 LinePass::~LinePass() = default;
-LinePass::LinePass(LinePass&&) noexcept = default;
-LinePass& LinePass::operator=(LinePass&&) noexcept = default;
 
 LineCounts LinePass::draw(const LineInput& input,
                           const DepthImage& depth,

@@ -57,8 +57,6 @@ class LinePass {
   public:
     LinePass();
     ~LinePass();
-    LinePass(LinePass&&) noexcept;
-    LinePass& operator=(LinePass&&) noexcept;
 
     /// Where a line is not behind `depth` (which says what the test's format is), `out` becomes
     /// 255; both have the view's size. The same image for every thread count. Vertices that are not

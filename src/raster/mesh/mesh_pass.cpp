@@ -10,7 +10,7 @@
 
 #include "core/parallel.h"
 #include "raster/depth/coarse_depth.h"
-#include "raster/fragments/fragment_fill.h"
+#include "raster/fragments/cluster_fragments.h"
 #include "raster/mesh/front_depth.h"
 #include "raster/mesh/lane_triangles.h"
 #include "raster/mesh/mesh_stage.h"
@@ -336,8 +336,6 @@ void find_still_tiles(const MeshInput& input,
 
 MeshPass::MeshPass() : scratch_(std::make_unique<Scratch>()) {}
 MeshPass::~MeshPass() = default;
-MeshPass::MeshPass(MeshPass&&) noexcept = default;
-MeshPass& MeshPass::operator=(MeshPass&&) noexcept = default;
 
 MeshResult MeshPass::draw(const PassFormat& asked, const MeshInput& input, TileSink& sink) {
     MeshResult result;

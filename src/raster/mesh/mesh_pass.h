@@ -79,8 +79,6 @@ class MeshPass {
   public:
     MeshPass();
     ~MeshPass();
-    MeshPass(MeshPass&&) noexcept;
-    MeshPass& operator=(MeshPass&&) noexcept;
 
     [[nodiscard]] MeshResult draw(const PassFormat& format, const MeshInput& input, TileSink& sink);
 

@@ -12,9 +12,9 @@
 #include "raster/mesh/mesh_pass.h"
 #include "raster/mesh/mesh_view.h"
 #include "raster/pass/bin.h"
+#include "raster/pass/clip.h"
 #include "raster/pass/tile_lists.h"
 #include "raster/pass/triangle_stage.h"
-#include "raster/pass/vertex_cut.h"
 #include "raster/pass/view_transform.h"
 
 namespace ink::raster {

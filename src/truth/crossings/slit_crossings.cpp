@@ -1,4 +1,3 @@
-#include "truth/crossings/continuation.h"
 #include "truth/crossings/crossings.h"
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <utility>
 
 #include "scene/box.h"
+#include "truth/crossings/continuation.h"
 
 namespace ink::truth {
 namespace {
