@@ -12,11 +12,9 @@ namespace {
 
 constexpr std::pair<int, int> kSize_px{160, 120};
 
-EdgeHash posed(const scene::Scene& scene, const EdgeHash::Params& params = {}) {
-    EdgeHash method(params);
+void pose(EdgeHash& method, const scene::Scene& scene) {
     method.prepare(scene);
     method.pose(scene);
-    return method;
 }
 
 edge::EdgeImage image(EdgeHash& method, const scene::View& view) {
@@ -27,17 +25,17 @@ TEST(EdgeHash, AStaleEyeIsThatOfTheLastViewUnlikeThisOne) {
     const scene::Scene scene = scene_of({catalogue::make_icosphere(1, 3)});
     const scene::View here = view_from(scene, {0, 1, 5}, {0, 0, 0}, kSize_px);
     const scene::View there = view_from(scene, {3, 1, 4}, {0, 0, 0}, kSize_px);
-    EdgeHash exact = posed(scene);
     EdgeHash::Params old;
     old.eye = EdgeHash::Eye::stale;
-    EdgeHash stale = posed(scene, old);
+    EdgeHash exact{EdgeHash::Params{}}, stale(old);
+    pose(exact, scene);
+    pose(stale, scene);
     EXPECT_EQ(image(stale, here), image(exact, here));  // there was none before
     EXPECT_EQ(image(stale, here), image(exact, here));
     const auto late = image(stale, there);
     EXPECT_NE(late, image(exact, there));
     EXPECT_EQ(image(stale, there), late);  // the same view again
-    stale.prepare(scene);
-    stale.pose(scene);
+    pose(stale, scene);
     EXPECT_EQ(image(stale, there), image(exact, there));
 }
 
