@@ -20,8 +20,8 @@
 
 #include "cli/commands/commands.h"
 #include "cli/help_format.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
-#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "core/param.h"
 #include "core/provenance.h"

@@ -62,8 +62,6 @@ Times read_times(const fs::path& file) {
     return times;
 }
 
-namespace fs = std::filesystem;
-
 constexpr double kCrease_rad = 40 * std::numbers::pi / 180;
 constexpr int kThreads = 64;  ///< a program may keep so many busy for its whole time
 constexpr std::uint64_t kMemoryBytes = 8ULL << 30;  ///< that each process may write to
@@ -235,6 +233,27 @@ core::ParamTable<EntrantParams> entrant_table() {
                         "Least edge response of a line pixel.");
 }
 
+/// A hash of all files in a folder, names and bytes.
+std::string folder_hash(const fs::path& folder) {
+    std::set<fs::path> files;
+    std::error_code failure;
+    for (auto entry = fs::recursive_directory_iterator(folder, failure);
+         !failure && entry != fs::recursive_directory_iterator();
+         entry.increment(failure)) {
+        if (entry->is_regular_file()) files.insert(entry->path());
+    }
+    core::Hasher hasher;
+    for (const fs::path& file : files)
+        hasher.text(file.lexically_relative(folder).string())
+            .text(core::read_whole_file(file).value_or(""));
+    return hasher.hex();
+}
+
+/// A hash of a file's bytes; that of nothing if it cannot be read.
+std::string file_hash(const fs::path& file) {
+    return core::Hasher().text(core::read_whole_file(file).value_or("")).hex();
+}
+
 }  // namespace
 
 edge::EdgeImage read_entrant_image(const fs::path& path, const scene::View& view) {
@@ -258,25 +277,6 @@ harness::OutsideSource image_folder_source(const fs::path& folder) {
         if (time != times.end()) drawn.draw_ns = time->second;
         return drawn;
     };
-}
-
-std::string folder_hash(const fs::path& folder) {
-    std::set<fs::path> files;
-    std::error_code failure;
-    for (auto entry = fs::recursive_directory_iterator(folder, failure);
-         !failure && entry != fs::recursive_directory_iterator();
-         entry.increment(failure)) {
-        if (entry->is_regular_file()) files.insert(entry->path());
-    }
-    core::Hasher hasher;
-    for (const fs::path& file : files)
-        hasher.text(file.lexically_relative(folder).string())
-            .text(core::read_whole_file(file).value_or(""));
-    return hasher.hex();
-}
-
-std::string file_hash(const fs::path& file) {
-    return core::Hasher().text(core::read_whole_file(file).value_or("")).hex();
 }
 
 Entrant parse_entrant(const std::string& text) {

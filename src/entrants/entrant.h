@@ -18,12 +18,6 @@ namespace ink::entrants {
 /// Throws core::Error for a times.csv that cannot be read.
 [[nodiscard]] harness::OutsideSource image_folder_source(const std::filesystem::path& folder);
 
-/// A hash of all files in a folder, names and bytes.
-[[nodiscard]] std::string folder_hash(const std::filesystem::path& folder);
-
-/// A hash of a file's bytes; that of nothing if it cannot be read.
-[[nodiscard]] std::string file_hash(const std::filesystem::path& file);
-
 /// A method from outside that takes part: a folder of images, or a program that draws them.
 struct Entrant {
     std::string name;  ///< as rows call it

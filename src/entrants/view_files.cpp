@@ -13,7 +13,7 @@
 #include "buffers/id_pass.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
-#include "harness/images/out_folder.h"
+#include "harness/images/view_images.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "scene/surface.h"

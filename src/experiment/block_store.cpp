@@ -15,7 +15,7 @@
 #include "core/parse_number.h"
 #include "core/toml_document.h"
 #include "core/whole_file.h"
-#include "harness/images/out_folder.h"
+#include "harness/images/view_images.h"
 
 namespace ink::experiment {
 namespace {

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "harness/rows/cost_tables.h"
 #include "harness/rows/methods_table.h"
 #include "harness/rows/row_table.h"
-#include "harness/rows/score_tables.h"
-#include "harness/rows/sweep_table.h"
+#include "harness/rows/side_tables.h"
 #include "linear_code/cancellation_study.h"
 #include "studies/axis_rows.h"
 #include "studies/axis_summary.h"

@@ -19,9 +19,7 @@
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/dictionary.h"
-#include "harness/rows/cost_tables.h"
-#include "harness/rows/score_tables.h"
-#include "harness/rows/sweep_table.h"
+#include "harness/rows/side_tables.h"
 #include "studies/axis_rows.h"
 #include "studies/axis_summary.h"
 #include "summary/cost_model.h"
@@ -63,22 +61,8 @@ void drop_lines_without_cell(std::map<std::string, std::string>& texts) {
     }
 }
 
-}  // namespace
-
-CsvTables split_tables(const std::map<std::string, std::string>& texts, const fs::path& where) {
-    CsvTables tables;
-    std::vector<std::string> names;
-    for (const auto& [name, text] : texts) {
-        tables[name];
-        names.push_back(name);
-    }
-    core::parallel_for(names.size(), core::hardware_threads(), [&](std::size_t i) {
-        const std::string& name = names[i];
-        tables.at(name) = core::split_csv(texts.at(name), (where / name).string());
-    });
-    return tables;
-}
-
+/// Reads what tables hold. Throws core::Error (where = the table's file and the line) for what no
+/// such table holds.
 RunTables parse_tables(const CsvTables& tables) {
     RunTables run;
     const auto table = [&](const char* name) {
@@ -116,6 +100,22 @@ RunTables parse_tables(const CsvTables& tables) {
         run.rows.push_back(std::move(record.row));
     }
     return run;
+}
+
+}  // namespace
+
+CsvTables split_tables(const std::map<std::string, std::string>& texts, const fs::path& where) {
+    CsvTables tables;
+    std::vector<std::string> names;
+    for (const auto& [name, text] : texts) {
+        tables[name];
+        names.push_back(name);
+    }
+    core::parallel_for(names.size(), core::hardware_threads(), [&](std::size_t i) {
+        const std::string& name = names[i];
+        tables.at(name) = core::split_csv(texts.at(name), (where / name).string());
+    });
+    return tables;
 }
 
 std::vector<harness::Row> rows_of_one_place(std::vector<harness::Row> rows) {

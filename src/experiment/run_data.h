@@ -32,10 +32,6 @@ struct RunTables {
     std::vector<studies::AxisRow> on_axes;      ///< of every study that is axes
 };
 
-/// Reads what tables hold. Throws core::Error (where = the table's file and the line) for what no
-/// such table holds.
-[[nodiscard]] RunTables parse_tables(const CsvTables& tables);
-
 /// A run folder, read back whole: all that a page or a figure needs, but its images.
 struct RunData {
     std::filesystem::path folder;

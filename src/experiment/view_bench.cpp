@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "harness/cells/skip_switches.h"
+#include "harness/cells/cell.h"
 #include "harness/suite/suite.h"
 
 namespace ink::experiment {

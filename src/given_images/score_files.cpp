@@ -3,9 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
+#include <string_view>
+#include <system_error>
+#include <variant>
 
 #include "core/error.h"
+#include "core/parse_number.h"
+#include "draw/exr_layers.h"
+#include "image_io/exr_file.h"
+#include "image_io/image_file.h"
 #include "score/doubts.h"
 #include "truth/line_class.h"
 
@@ -116,6 +125,123 @@ std::vector<std::string> doubts_of_truth(const Named<TruthLabels>& truth,
     return found;
 }
 
+using FilesByName = std::map<std::string, fs::path>;
+
+/// What `inkbench export` writes into the folder of a view.
+constexpr const char* kViewFile = "camera.json";
+constexpr const char* kTruthFile = "truth.exr";
+
+std::set<fs::path> files_below(const fs::path& folder) {
+    std::error_code failure;
+    std::set<fs::path> sorted;
+    for (auto entry = fs::recursive_directory_iterator(folder, failure);
+         !failure && entry != fs::recursive_directory_iterator();
+         entry.increment(failure)) {
+        if (entry->is_regular_file()) sorted.insert(entry->path());
+    }
+    if (failure) {
+        throw core::Error(folder.string(),
+                          "this folder cannot be read: " + failure.message(),
+                          "a folder of images");
+    }
+    return sorted;
+}
+
+/// The files below `folder` with one of `endings` (all if none is named), by their relative path
+/// without ending. The first of two with one name stays.
+FilesByName named_files_below(const fs::path& folder, const std::vector<std::string>& endings) {
+    FilesByName files;
+    for (const fs::path& path : files_below(folder)) {
+        bool is_asked = endings.empty();
+        for (const std::string& ending : endings)
+            is_asked = is_asked || path.extension() == ending;
+        if (is_asked)
+            files.emplace(path.lexically_relative(folder).replace_extension().string(), path);
+    }
+    return files;
+}
+
+/// The truths below `folder` by their names. Of an exported view that is its truth alone, under the
+/// name of the view's folder, as entrants name their images.
+FilesByName truths_below(const fs::path& folder) {
+    FilesByName truths;
+    // ".exr" sorts before ".png", so it is the one that stays.
+    for (const auto& [name, path] : named_files_below(folder, {".exr", ".png"})) {
+        const bool is_exported = fs::exists(path.parent_path() / kViewFile);
+        if (!is_exported) {
+            truths.emplace(name, path);
+        } else if (path.filename() == kTruthFile) {
+            truths.emplace(fs::path(name).parent_path().string(), path);
+        }
+    }
+    return truths;
+}
+
+/// The channel called `name`, or null.
+template <class T>
+const core::Image<T>* find_channel(const image_io::ExrFile& file, std::string_view name) {
+    for (const image_io::ExrChannel& channel : file.channels) {
+        if (channel.name == name) return std::get_if<core::Image<T>>(&channel.pixels);
+    }
+    return nullptr;
+}
+
+template <class T>
+std::optional<T> find_attribute(const image_io::ExrFile& file, std::string_view name) {
+    for (const image_io::ExrAttribute& attribute : file.attributes) {
+        if (attribute.name != name) continue;
+        if (const T* value = std::get_if<T>(&attribute.value)) return *value;
+    }
+    return std::nullopt;
+}
+
+std::optional<int> find_number(const image_io::Texts& texts, const char* name) {
+    const auto found = texts.find(name);
+    return found == texts.end() ? std::nullopt : core::parse_number<int>(found->second);
+}
+
+TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersections intersections) {
+    const image_io::ExrFile file = image_io::read_exr(path);
+    const auto* labels = find_channel<std::uint32_t>(file, "class.label");
+    if (labels == nullptr) {
+        throw core::Error(path.string(),
+                          "it has no channel class.label of whole numbers",
+                          "the file of inkbench truth -o truth.exr");
+    }
+    TruthLabels truth{core::mapped<std::uint8_t>(*labels,
+                                                 [](std::uint32_t label) {
+                                                     return static_cast<std::uint8_t>(
+                                                         std::min<std::uint32_t>(label, 255));
+                                                 }),
+                      find_attribute<double>(file, "ink:ignore_label"),
+                      find_attribute<double>(file, "ink:band_px"),
+                      true,
+                      find_attribute<std::string>(file, "ink:command").value_or("")};
+    if (const auto* coverage = find_channel<float>(file, draw::kCoverageChannel)) {
+        truth.coverage = *coverage;
+        const auto* const end = coverage->data() + coverage->size();
+        const auto* const wrong =
+            std::find_if(coverage->data(), end, [](float v) { return !std::isfinite(v); });
+        if (wrong != end) {
+            const auto at = static_cast<int>(wrong - coverage->data());
+            throw core::Error(path.string(),
+                              fmt::format("channel {} is {} at pixel {},{}",
+                                          draw::kCoverageChannel,
+                                          *wrong,
+                                          at % coverage->width_px(),
+                                          at / coverage->width_px()),
+                              "finite numbers");
+        }
+        truth.line_width_px = find_attribute<double>(file, draw::kLineWidthAttribute).value_or(0);
+    }
+    const auto* below = find_channel<std::uint32_t>(file, "class.below_crease");
+    if (below == nullptr) return truth;
+    const auto is_below =
+        core::mapped<std::uint8_t>(*below, [](std::uint32_t value) { return value != 0; });
+    truth.labels = score::counted_labels(truth.labels, is_below, intersections);
+    return truth;
+}
+
 }  // namespace
 
 std::string label_text(int label) {
@@ -184,6 +310,89 @@ draw::RgbImage picture_of(const FilesScore& scored) {
                                                {.threshold = scored.options.threshold,
                                                 .tolerance_px = scored.options.tolerance_px,
                                                 .band_px = scored.options.band_px}));
+}
+
+std::vector<FolderScore> score_folders(
+    const fs::path& predictions,
+    const fs::path& truths,
+    const ScoreRequest& request,
+    const std::function<void(const std::string& name, const FilesScore&)>& on_scored) {
+    score::check(request.options);
+    const FilesByName truth_files = truths_below(truths);
+    if (truth_files.empty())
+        throw core::Error(truths.string(), "there is no truth in it", "files of inkbench truth -o");
+    const FilesByName drawn = named_files_below(predictions, {});
+    std::vector<FolderScore> scores;
+    for (const auto& [name, truth] : truth_files) {
+        FolderScore& result = scores.emplace_back(FolderScore{name});
+        const auto prediction = drawn.find(name);
+        if (prediction == drawn.end()) {
+            result.status = "there is no image of this name in " + predictions.string();
+            continue;
+        }
+        try {
+            const FilesScore scored = score_files(prediction->second, truth, request);
+            result.notes = scored.notes;
+            result.doubts = scored.doubts;
+            if (scored.score.n_truth == 0) {
+                result.status = kNoTruth;
+                continue;
+            }
+            result.score = scored.score;
+            result.soft = scored.soft;
+            on_scored(name, scored);
+        } catch (const core::Error& error) {
+            result.status = error.what();
+        }
+    }
+    return scores;
+}
+
+std::vector<std::string> files_without_truth(const fs::path& predictions, const fs::path& truths) {
+    const FilesByName truth_files = truths_below(truths);
+    const FilesByName drawn = named_files_below(predictions, {});
+    std::vector<std::string> files;
+    for (const fs::path& path : files_below(predictions)) {
+        const fs::path within = path.lexically_relative(predictions);
+        const std::string name = fs::path(within).replace_extension().string();
+        const bool is_image =
+            path.filename() != "times.csv" && !path.filename().string().starts_with(".");
+        const bool is_scored = truth_files.contains(name) && drawn.at(name) == path;
+        if (is_image && !is_scored) files.push_back(within.string());
+    }
+    return files;
+}
+
+score::CurveCount pooled(const std::vector<FolderScore>& scores) {
+    score::CurveCount total;
+    for (const FolderScore& each : scores) {
+        if (each.score) total += *each.score;
+    }
+    return total;
+}
+
+std::optional<double> pooled_f(const std::vector<FolderScore>& scores) {
+    const score::CurveCount all = pooled(scores);
+    if (all.n_truth == 0) return std::nullopt;
+    return all.f();
+}
+
+TruthLabels read_truth_labels(const std::filesystem::path& path,
+                              score::Intersections intersections) {
+    if (path.extension() == ".exr") return read_exr_labels(path, intersections);
+    image_io::GrayFile file = image_io::read_gray_file(path);
+    if (file.has_colour) {
+        throw core::Error(path.string(),
+                          "it is in colour: a preview for people, no truth",
+                          "an image of class numbers, or the .exr, of inkbench truth -o");
+    }
+    const auto command = file.texts.find("ink:command");
+    return {std::move(file.pixels),
+            find_number(file.texts, "ink:ignore_label"),
+            find_number(file.texts, "ink:band_px"),
+            file.texts.contains("ink:labels"),
+            command == file.texts.end() ? "" : command->second,
+            find_number(file.texts, "ink:below_crease_px").value_or(0)};
 }
 
 }  // namespace ink::given_images

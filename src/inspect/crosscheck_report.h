@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/rows/row.h"
-#include "harness/truths/crosscheck_cache.h"
+#include "harness/truths/compare_truths.h"
 #include "truth/curve.h"
 
 namespace ink::inspect {

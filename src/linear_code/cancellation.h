@@ -10,7 +10,6 @@
 #include "method/method.h"
 #include "score/matching.h"
 #include "score/pixel_list.h"
-#include "score/reach.h"
 #include "score/score.h"
 #include "truth/line_class.h"
 #include "truth/truth.h"

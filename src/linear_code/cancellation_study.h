@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "harness/rows/side_table.h"
+#include "harness/rows/side_tables.h"
 #include "harness/scores/evaluations.h"
 #include "harness/scores/miss_prediction.h"
 #include "harness/truths/tracing.h"

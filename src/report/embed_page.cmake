@@ -32,7 +32,7 @@ literals(scripts "${SCRIPTS}" "")
 literals(shaders "${SHADERS}" "//// method")
 literals(d3 "${D3}" "")
 
-file(WRITE "${OUT}" "#include \"report/page_files.h\"
+file(WRITE "${OUT}" "#include \"report/page_template.h\"
 
 namespace ink::report {
 

@@ -17,7 +17,6 @@
 #include "core/provenance.h"
 #include "core/vocabulary.h"
 #include "harness/images/view_images.h"
-#include "report/page_files.h"
 #include "report/page_template.h"
 #include "scene/animation.h"
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiment/run_data.h"
@@ -29,5 +30,15 @@ struct RunPage {
 /// core::Error if one cannot be written.
 void write_run_page(const std::vector<experiment::RunData>& runs,
                     const std::filesystem::path& file);
+
+/// What a reader can do with the answer of a comparison.
+struct TakeHome {
+    std::string method;   ///< what the answer's method does, in a sentence; "" where nobody says
+    std::string address;  ///< of its page, seen from a folder; "" where that is not there
+    /// What each gives, and its line for a shell: on the run's first model; none without an answer.
+    std::vector<std::pair<std::string, std::string>> commands;
+};
+[[nodiscard]] TakeHome take_home(const experiment::RunData& run,
+                                 const std::filesystem::path& page_folder);
 
 }  // namespace ink::report

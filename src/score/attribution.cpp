@@ -6,7 +6,6 @@
 
 #include "core/vocabulary.h"
 #include "score/pixel_list.h"
-#include "score/reach.h"
 
 namespace ink::score {
 namespace {

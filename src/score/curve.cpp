@@ -9,8 +9,8 @@
 #include "edge/bit_mask.h"
 #include "edge/set_pixels.h"
 #include "edge/thin.h"
-#include "score/bit_matcher.h"
 #include "score/drawing.h"
+#include "score/matching.h"
 #include "score/score.h"
 
 namespace ink::score {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "score/drawing.h"
-#include "score/reach.h"
+#include "score/pixel_list.h"
 
 namespace ink::score {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "edge/thin.h"
-#include "score/bit_matcher.h"
 #include "score/drawing.h"
 #include "score/matching.h"
 #include "score/pixel_list.h"

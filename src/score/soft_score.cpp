@@ -8,7 +8,6 @@
 
 #include "score/drawing.h"
 #include "score/pixel_list.h"
-#include "score/reach.h"
 
 namespace ink::score {
 namespace {

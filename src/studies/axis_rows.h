@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "harness/cells/view_cells.h"
-#include "harness/rows/side_table.h"
+#include "harness/rows/side_tables.h"
 #include "method/method.h"
 #include "scene/scene.h"
 #include "studies/axis.h"

@@ -14,7 +14,7 @@
 #include "core/parallel.h"
 #include "harness/cells/view_cells.h"
 #include "harness/clock/timing.h"
-#include "harness/scores/grey_lines.h"
+#include "harness/scores/evaluations.h"
 #include "harness/suite/suite.h"
 #include "scene/animation.h"
 #include "score/drawing.h"

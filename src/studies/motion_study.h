@@ -7,7 +7,7 @@
 
 #include "harness/cells/view_cells.h"
 #include "harness/rows/row.h"
-#include "harness/rows/side_table.h"
+#include "harness/rows/side_tables.h"
 #include "method/method_config.h"
 #include "scene/scene.h"
 #include "scene/views/camera_path.h"

@@ -9,9 +9,6 @@
 
 namespace ink::tune {
 
-/// evaluations.csv, heading included.
-[[nodiscard]] std::string evaluations_csv(const TuneResult& result, const TuneSpace& space);
-
 /// What a preset says of how it came about.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> provenance_lines(
     const TuneResult& result, const TuneOptions& options);

@@ -4,7 +4,6 @@
 #include "core/kept_file.h"
 #include "crosscheck/dense_sampling.h"
 #include "harness/truths/compare_truths.h"
-#include "harness/truths/crosscheck_cache.h"
 #include "import/import.h"
 #include "tests/catalogue_names.h"
 #include "tests/models/fetched_model.h"

@@ -4,8 +4,7 @@
 
 #include "catalogue/catalogue.h"
 #include "harness/cells/view_cells.h"
-#include "harness/rows/cost_tables.h"
-#include "harness/rows/score_tables.h"
+#include "harness/rows/side_tables.h"
 #include "methods/method_configs.h"
 #include "tests/harness/random_rows.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/kept_file.h"
-#include "harness/truths/crosscheck_cache.h"
+#include "harness/truths/compare_truths.h"
 #include "tests/fuzz/fuzz.h"
 #include "truth/truth_cache.h"
 

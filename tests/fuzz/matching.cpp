@@ -9,7 +9,6 @@
 
 #include "core/image.h"
 #include "edge/bit_mask.h"
-#include "score/bit_matcher.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace ink::fuzz {

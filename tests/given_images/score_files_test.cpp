@@ -1,4 +1,4 @@
-#include "given_images/score_folders.h"
+#include "given_images/score_files.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 #include "catalogue/catalogue.h"
 #include "harness/cells/cell.h"
 #include "harness/scores/miss_prediction.h"
-#include "harness/truths/view_lists.h"
+#include "harness/truths/tracing.h"
 #include "methods/registry.h"
 #include "tests/catalogue_names.h"
 

@@ -7,7 +7,7 @@
 #include "harness/cells/cell.h"
 #include "harness/scores/bins.h"
 #include "harness/suite/suite.h"
-#include "harness/truths/view_lists.h"
+#include "harness/truths/tracing.h"
 #include "methods/registry.h"
 #include "tests/catalogue_names.h"
 #include "tests/models/fetched_model.h"

@@ -1,5 +1,5 @@
 #include "harness/cells/cell.h"
-#include "harness/truths/view_lists.h"
+#include "harness/truths/tracing.h"
 
 #include <gmock/gmock.h>
 

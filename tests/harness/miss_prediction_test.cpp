@@ -1,5 +1,5 @@
 #include "harness/scores/miss_prediction.h"
-#include "harness/truths/view_lists.h"
+#include "harness/truths/tracing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "harness/rows/score_tables.h"
+#include "harness/rows/side_tables.h"
 
 #include <gmock/gmock.h>
 

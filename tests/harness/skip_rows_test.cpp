@@ -4,7 +4,6 @@
 
 #include "core/error.h"
 #include "harness/cells/cell.h"
-#include "harness/cells/skip_switches.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/made_up_method.h"
 #include "tests/harness/random_rows.h"

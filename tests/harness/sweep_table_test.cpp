@@ -1,9 +1,8 @@
-#include "harness/rows/sweep_table.h"
 
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "harness/rows/cost_tables.h"
+#include "harness/rows/side_tables.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 

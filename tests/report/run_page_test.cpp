@@ -18,7 +18,6 @@
 #include "methods/registry.h"
 #include "report/live_page.h"
 #include "report/packed_run.h"
-#include "report/text/take_home.h"
 #include "tests/core/temp_folder.h"
 #include "tests/report/made_up_rows.h"
 

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "edge/bit_mask.h"
-#include "score/bit_matcher.h"
-#include "score/reach.h"
+#include "score/pixel_list.h"
 #include "tests/score/images.h"
 #include "tests/score/plain_matching.h"
 

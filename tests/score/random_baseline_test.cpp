@@ -1,4 +1,4 @@
-#include "score/random_baseline.h"
+#include "score/drawing.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,6 @@
 #include "cli/json_values.h"
 #include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
-#include "cli/options/method_options.h"
-#include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "experiment/options/option_table.h"
 #include "inspect/explain.h"

@@ -6,7 +6,6 @@
 #include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
-#include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
 #include "core/tables/csv.h"
@@ -15,7 +14,6 @@
 #include "entrants/view_files.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/options/option_table.h"
-#include "harness/images/out_folder.h"
 #include "harness/images/view_images.h"
 #include "harness/truths/tracing.h"
 

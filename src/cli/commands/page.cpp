@@ -9,7 +9,6 @@
 #include "cli/options/command_rows.h"
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
-#include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
 #include "core/whole_file.h"

@@ -2,10 +2,9 @@
 
 #include "cli/commands/commands.h"
 #include "cli/options/command_rows.h"
-#include "cli/options/method_options.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
-#include "cli/options/scene_options.h"
 #include "core/split_list.h"
 #include "experiment/options/option_table.h"
 

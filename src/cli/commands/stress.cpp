@@ -2,7 +2,6 @@
 
 #include "cli/commands/commands.h"
 #include "cli/options/experiment_options.h"
-#include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 

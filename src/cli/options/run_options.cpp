@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "cli/options/command_rows.h"
-#include "cli/options/method_options.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/place.h"
 #include "core/interrupt.h"
@@ -182,13 +182,14 @@ void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
                work_s);
 }
 
-}  // namespace
-
+/// Writes verdict.md of a comparison from the tables in its folder; nothing for another run.
 void write_verdict(const fs::path& folder) {
     experiment::RunData run = experiment::read_run(folder);
     run.tables.rows = experiment::rows_of_one_place(std::move(run.tables.rows));
     write_verdict_of(run);
 }
+
+}  // namespace
 
 void conclude(const experiment::RunOutcome& outcome, const fs::path& folder) {
     experiment::RunData run = experiment::read_run(folder);

@@ -7,7 +7,6 @@
 
 #include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
-#include "cli/options/scene_options.h"
 #include "experiment/experiment.h"
 #include "experiment/experiment_run.h"
 
@@ -63,8 +62,5 @@ void run_to_end(const CLI::App& command,
 /// Writes report.html, and verdict.md of a comparison, from the folder alone. Ends the program by
 /// CLI::RuntimeError: 1 for an invalid run, 3 for views without a score, 130 if it was interrupted.
 void conclude(const experiment::RunOutcome& outcome, const std::filesystem::path& folder);
-
-/// Writes verdict.md of a comparison from the tables in its folder; nothing for another run.
-void write_verdict(const std::filesystem::path& folder);
 
 }  // namespace ink::cli

@@ -16,7 +16,7 @@
 #include "core/provenance.h"
 #include "core/toml_document.h"
 #include "harness/rows/row.h"
-#include "harness/rows/sweep_table.h"
+#include "harness/rows/side_tables.h"
 #include "statistics/bootstrap.h"
 #include "summary/paired_differences.h"
 #include "summary/summary.h"
@@ -210,12 +210,7 @@ bool comes_before(const MethodDiff& a, const MethodDiff& b) {
     return rank(a) < rank(b);
 }
 
-}  // namespace
-
-std::vector<AskedChange> asked_changes(const std::string& a, const std::string& b) {
-    return changes_of(values_of(a), values_of(b));
-}
-
+/// The keys whose values differ, in alphabetical order.
 std::vector<AskedChange> changes_of(const Values& a, const Values& b) {
     std::map<std::string, AskedChange> changes;
     for (const auto& [key, value] : a)
@@ -227,6 +222,12 @@ std::vector<AskedChange> changes_of(const Values& a, const Values& b) {
         if (change.a != change.b) changed.push_back(change);
     }
     return changed;
+}
+
+}  // namespace
+
+std::vector<AskedChange> asked_changes(const std::string& a, const std::string& b) {
+    return changes_of(values_of(a), values_of(b));
 }
 
 CellPairs pair_cells(const std::vector<harness::Row>& a, const std::vector<harness::Row>& b) {

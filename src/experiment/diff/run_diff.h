@@ -92,9 +92,6 @@ struct RunDiff {
 
 using Values = std::map<std::string, std::string>;
 
-/// The keys whose values differ, in alphabetical order.
-[[nodiscard]] std::vector<AskedChange> changes_of(const Values& a, const Values& b);
-
 /// The values that two TOML documents have differently, in alphabetical order of their keys.
 /// Throws core::Error (where = "run.toml") for text that is no TOML.
 [[nodiscard]] std::vector<AskedChange> asked_changes(const std::string& a, const std::string& b);

@@ -18,6 +18,17 @@
 namespace ink::experiment {
 namespace {
 
+/// A seed. Throws core::Error unless it is a whole number of 64 bits.
+std::uint64_t parse_seed(const core::GivenText& given) {
+    const auto seed = core::parse_number<std::uint64_t>(given.text);
+    if (!seed) {
+        throw core::Error(given.where,
+                          fmt::format("'{}' is no seed", given.text),
+                          "a whole number 0..18446744073709551615");
+    }
+    return *seed;
+}
+
 using Texts = std::vector<std::string>;
 using Given = std::vector<core::GivenText>;
 using Kind = core::ParamKind;
@@ -340,16 +351,6 @@ void set_option(Experiment& experiment,
             "another kind of experiment, or this one without it");
     }
     option_table().rows.set(experiment, row, given, "it");
-}
-
-std::uint64_t parse_seed(const core::GivenText& given) {
-    const auto seed = core::parse_number<std::uint64_t>(given.text);
-    if (!seed) {
-        throw core::Error(given.where,
-                          fmt::format("'{}' is no seed", given.text),
-                          "a whole number 0..18446744073709551615");
-    }
-    return *seed;
 }
 
 }  // namespace ink::experiment

@@ -74,9 +74,6 @@ constexpr unsigned bit(ExperimentKind kind) {
     return 1U << static_cast<unsigned>(kind);
 }
 
-/// A seed. Throws core::Error unless it is a whole number of 64 bits.
-[[nodiscard]] std::uint64_t parse_seed(const core::GivenText& given);
-
 /// Runs `read`; an error of it names `where` as the place.
 template <class Read>
 auto at_place(const std::string& where, Read read) {

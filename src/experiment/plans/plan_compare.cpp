@@ -2,19 +2,165 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "experiment/experiment_plan.h"
-#include "experiment/plans/compare_blocks.h"
 #include "experiment/view_bench.h"
 #include "harness/cells/sweep.h"
-#include "harness/rows/cost_tables.h"
-#include "harness/rows/score_tables.h"
+#include "harness/images/view_images.h"
+#include "harness/rows/side_tables.h"
 #include "linear_code/cancellation_study.h"
 
 namespace ink::experiment {
 namespace {
+
+/// Where a block's cells are.
+struct BlockPlace {
+    std::size_t scene = 0;
+    const scene::View* view = nullptr;
+    int threads = 1;
+    std::int64_t first_cell = 0;  ///< the number of the first method's row
+    bool is_first_view = false;   ///< of its scene: methods are made ready there
+    bool keeps_images = false;
+    /// Per method: its own settings are the first of its sweep here.
+    std::vector<bool> sweeps_own = {};
+};
+
+/// Some settings of the n-th method.
+struct SettingsPart {
+    std::size_t method = 0;
+    std::size_t first = 0;  ///< the number of the first setting, from 1
+    std::vector<method::MethodConfig> settings;
+};
+
+void add_side_tables(std::int64_t cell,
+                     const harness::Evaluation& evaluation,
+                     BlockResult& result) {
+    if (!evaluation.row.is_ok() || evaluation.row.tolerance_sweep.empty()) return;
+    result.lines["curves.csv"] += harness::curve_lines(cell, evaluation.scored.curve);
+    result.lines["tolerances.csv"] +=
+        harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
+    result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.bins);
+}
+
+/// The layers of what was drawn, where they are kept.
+using Layers = std::vector<harness::MethodLayers>;
+
+/// What `count` methods draw of a view, as many at a time as fit into memory; `ready` is
+/// harness::ViewDrawings::ready.
+template <class Ready>
+std::vector<harness::Evaluation> draw(ViewBench& bench,
+                                      const BlockPlace& at,
+                                      std::size_t count,
+                                      Ready ready,
+                                      const harness::MeasureOptions& measure,
+                                      Layers* layers = nullptr) {
+    harness::ViewDrawings drawings{*at.view, count, bench.most_at_once(at.scene)};
+    drawings.ready = ready;
+    if (layers != nullptr) {
+        drawings.see = [&](std::size_t, harness::PreparedMethod& method, const auto& drawn) {
+            if (!drawn.row.is_ok()) return;
+            layers->push_back(
+                harness::buffer_layers(method, {*at.view, measure.threads, measure.skips}));
+        };
+    }
+    return harness::draw_view(drawings, measure);
+}
+
+/// Why the scored evaluations are wrong where they are, and what codes had to miss.
+void explain(ViewBench& bench,
+             const BlockPlace& at,
+             const harness::ViewTruth& truth,
+             std::vector<harness::Evaluation>& evaluations,
+             BlockResult& result) {
+    harness::MissPredictor& predictor = bench.predictor(at.scene);
+    harness::attribute_evaluations(truth, *at.view, predictor, evaluations);
+    for (const linear_code::CancellationRow& row :
+         linear_code::study_cancellation(truth, *at.view, predictor, evaluations)) {
+        result.lines["cancellation.csv"] += linear_code::cancellation_table().line(
+            at.first_cell + static_cast<std::int64_t>(row.evaluation), row);
+    }
+}
+
+/// The methods at their own settings, and the baselines: rows.csv and what stands beside it, and
+/// the lines of sweep.csv that say the same. `swept` are its parameters' columns.
+BlockResult run_methods(ViewBench& bench,
+                        const BlockPlace& at,
+                        const harness::SweepColumns& swept) {
+    const scene::Scene& scene = bench.scenes()[at.scene];
+    const bool is_full = bench.experiment().compare.full_scores;
+    harness::CellOptions options = bench.cell_options(at.threads);
+    options.scores = is_full ? harness::Scores::full : harness::Scores::brief;
+    BlockResult result;
+    const std::shared_ptr<const harness::TracedView> held = bench.traced(at.scene, *at.view);
+    const harness::TracedView& traced = *held;
+    const bool keeps_images = at.keeps_images && traced.has_truth();
+    Layers layers;
+    // The same methods come again with the next view.
+    const auto ready = [&](std::size_t first, std::size_t) {
+        return bench.methods(at.scene, first);
+    };
+    std::vector<harness::Evaluation> evaluations;
+    {
+        const auto methods = bench.hold_methods(at.scene);
+        evaluations = draw(bench,
+                           at,
+                           bench.configs().size(),
+                           ready,
+                           options.measure,
+                           keeps_images ? &layers : nullptr);
+    }
+    harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
+    if (is_full && traced.has_truth()) explain(bench, at, traced.truth, evaluations, result);
+    harness::check_baselines(evaluations, result.faults);
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        harness::Evaluation& evaluation = evaluations[i];
+        const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(i);
+        if (!bench.experiment().times) clear_times(evaluation.row);
+        result.lines["rows.csv"] +=
+            harness::row_line(cell, harness::Study::compare, evaluation.row);
+        result.lines["cost.csv"] += harness::cost_line(cell, evaluation.row);
+        add_side_tables(cell, evaluation, result);
+        if (i < at.sweeps_own.size() && at.sweeps_own[i])
+            result.lines["sweep.csv"] += harness::sweep_line(cell, 1, swept, evaluation.row);
+    }
+    if (keeps_images) result.files = harness::image_files(traced.truth, scene, evaluations, layers);
+    return result;
+}
+
+/// Other settings of one method: lines of sweep.csv, without baselines.
+BlockResult run_settings(ViewBench& bench,
+                         const BlockPlace& at,
+                         const SettingsPart& part,
+                         const harness::SweepColumns& swept) {
+    harness::CellOptions options = bench.cell_options(at.threads);
+    options.measure = harness::sweep_measure(options.measure, bench.scenes().size());
+    options.scores = harness::Scores::settings;
+    BlockResult result;
+    const harness::SharedDrawings drawings(part.settings);
+    const auto ready = [&](std::size_t first, std::size_t end) {
+        return bench.prepared(std::span(drawings.drawn()).subspan(first, end - first), at.scene);
+    };
+    std::vector<harness::Evaluation> evaluations =
+        drawings.shared(draw(bench, at, drawings.drawn().size(), ready, options.measure));
+    harness::finish_evaluations(bench.scenes()[at.scene],
+                                *at.view,
+                                *bench.traced(at.scene, *at.view),
+                                options,
+                                evaluations);
+    const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
+    for (std::size_t i = 0; i < part.settings.size(); ++i) {
+        if (!bench.experiment().times) clear_times(evaluations[i].row);
+        result.lines["sweep.csv"] +=
+            harness::sweep_line(cell, static_cast<int>(part.first + i), swept, evaluations[i].row);
+    }
+    return result;
+}
 
 /// Settings of one method that take turns; more at once would not fit into memory on large models.
 constexpr std::size_t kSettingsAtOnce = 48;
@@ -36,7 +182,7 @@ std::string place_text(const ViewBench& bench, const BlockPlace& at) {
 }
 
 /// What a block has to do.
-struct BlockWork {
+struct DrawnCells {
     int cells = 0;
     int prepared = 0;      ///< methods that are made ready for it, or settings that are drawn
     bool is_full = false;  ///< methods with baselines; else settings, scored briefly
@@ -53,7 +199,7 @@ double mean_samples(const Experiment& experiment) {
 /// Seconds for a block of a view, roughly, on two cores without other work: a part for every cell,
 /// one for its pixels (scores, images) and one for its triangles (drawing), one for what is made
 /// ready, and the truth.
-double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& work) {
+double work_s(const ViewBench& bench, const BlockPlace& at, const DrawnCells& work) {
     const Experiment& experiment = bench.experiment();
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));

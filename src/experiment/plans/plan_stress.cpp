@@ -8,7 +8,7 @@
 #include "core/interrupt.h"
 #include "core/parallel.h"
 #include "experiment/experiment_plan.h"
-#include "harness/cells/skip_switches.h"
+#include "harness/cells/cell.h"
 #include "harness/rows/row_table.h"
 #include "studies/axis.h"
 #include "studies/axis_rows.h"

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "harness/scores/grey_lines.h"
+#include "harness/scores/evaluations.h"
 #include "harness/scores/intersection_scores.h"
+#include "harness/truths/tracing.h"
 #include "harness/truths/unscored_view.h"
-#include "harness/truths/view_lists.h"
 
 namespace ink::harness {
 namespace {

@@ -10,7 +10,7 @@
 #include "harness/cells/frame_counts.h"
 #include "harness/scores/evaluations.h"
 #include "harness/scores/miss_prediction.h"
-#include "harness/truths/crosscheck_cache.h"
+#include "harness/truths/compare_truths.h"
 #include "harness/truths/tracing.h"
 #include "scene/scene.h"
 

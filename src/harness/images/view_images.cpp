@@ -9,7 +9,9 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <mutex>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -248,6 +250,17 @@ std::optional<ShownView> read_shown_view(const fs::path& run, const std::vector<
                           wrong_pixels(file_of(row, kErrors), view.labels)};
     });
     return view;
+}
+
+void make_out_folder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::filesystem::is_directory(folder)) {
+        throw core::Error(
+            folder.string(),
+            "this folder cannot be made" + (failure ? ": " + failure.message() : std::string()),
+            "a place that can be written");
+    }
 }
 
 }  // namespace ink::harness

@@ -82,7 +82,7 @@ struct Row {
     /// Counts at each of kTolerances_px (harness/cells/cell.h): lines of tolerances.csv, not
     /// columns here. Empty where they were not asked for.
     std::vector<score::CurveCount> tolerance_sweep = {};
-    /// Counts at 2 px of a random image of n_pred pixels (score/random_baseline.h); nothing where
+    /// Counts at 2 px of a random image of n_pred pixels (score/drawing.h); nothing where
     /// it was not asked for.
     std::optional<score::CurveCount> random_baseline = {};
     std::optional<std::int64_t> prepare_ns;

@@ -2,15 +2,24 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/tables/csv_table.h"
 #include "core/tables/table_of.h"
 #include "harness/rows/row.h"
-#include "harness/rows/study.h"
 
 namespace ink::harness {
+
+/// What a cell was measured for: the column `study` of rows.csv. A study of one's own has a name of
+/// its own.
+struct Study {
+    static constexpr const char* compare = "compare";
+    static constexpr const char* stress = "stress";
+    static constexpr const char* motion = "motion";
+    static constexpr const char* tune = "tune";
+};
 
 /// A line of rows.csv: a cell's number, what it was measured for, and all else that it says.
 struct RowRecord {
@@ -59,5 +68,11 @@ class IndexOf {
     std::map<std::int64_t, Record*> by_cell_;
 };
 using RowIndex = IndexOf<const RowRecord>;
+
+/// The table of rows while it is put together.
+using RowTable = core::TableOf<RowRecord>;
+
+/// Adds soft F and the ink that it is made of.
+void add_ink_columns(const core::PartOf<score::SoftScore>& soft);
 
 }  // namespace ink::harness

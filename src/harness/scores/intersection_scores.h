@@ -4,7 +4,6 @@
 
 #include "harness/rows/row.h"
 #include "harness/truths/tracing.h"
-#include "harness/truths/view_lists.h"
 #include "score/drawing.h"
 #include "score/score.h"
 

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "harness/suite/suite.h"
+#include "score/drawing.h"
 #include "score/intersections.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
@@ -60,5 +62,17 @@ void report_progress(truth::TruthOptions& options);
 
 /// What a trace found, for a terminal: pixels and curves per class, counts, time.
 [[nodiscard]] std::string truth_summary(const truth::Truth& truth);
+
+/// The truths of a view as lists, at 2 px: made once for all images that are scored against them.
+struct ViewLists {
+    score::TruthLists scoring;
+    std::optional<score::TruthLists> other = std::nullopt;         ///< as in ViewTruth
+    std::optional<score::TruthLists> with_crowded = std::nullopt;  ///< as in ViewTruth
+};
+
+[[nodiscard]] ViewLists list_view(const ViewTruth& truth);
+
+/// A truth as lists at each of kTolerances_px (harness/cells/cell.h).
+[[nodiscard]] std::vector<score::TruthLists> list_tolerances(const score::ScoringTruth& truth);
 
 }  // namespace ink::harness

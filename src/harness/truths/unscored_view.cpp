@@ -30,6 +30,16 @@ std::string reason(const ViewTruth& truth) {
     return "no line of the scene is in the image";
 }
 
+/// The status of a view that is too crowded, "crowded: ..."; "" for one that is not.
+std::string crowdedness(const ViewTruth& truth) {
+    const double share = truth.traced.counts.crowded_share;
+    if (share <= kMostCrowded) return "";
+    return fmt::format(
+        "crowded: {:.0f} % of the true pixels are too dense to score, of {:.0f} % at most",
+        100 * share,
+        100 * kMostCrowded);
+}
+
 }  // namespace
 
 void fill_crowded(const score::Strokes& strokes,
@@ -42,15 +52,6 @@ void fill_crowded(const score::Strokes& strokes,
     const score::Strokes all = strokes_against(*truth.with_crowded, strokes, row.method);
     row.with_crowded_2px = score::match_counts(
         score::counted_pixels(all.thinned, *lists.with_crowded), *lists.with_crowded);
-}
-
-std::string crowdedness(const ViewTruth& truth) {
-    const double share = truth.traced.counts.crowded_share;
-    if (share <= kMostCrowded) return "";
-    return fmt::format(
-        "crowded: {:.0f} % of the true pixels are too dense to score, of {:.0f} % at most",
-        100 * share,
-        100 * kMostCrowded);
 }
 
 void note_crowded(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {

@@ -5,7 +5,6 @@
 
 #include "harness/scores/evaluations.h"
 #include "harness/truths/tracing.h"
-#include "harness/truths/view_lists.h"
 
 namespace ink::harness {
 
@@ -20,9 +19,6 @@ void fill_crowded(const score::Strokes& strokes,
                   const ViewTruth& truth,
                   const ViewLists& lists,
                   Row& row);
-
-/// The status of a view that is too crowded, "crowded: ..."; "" for one that is not.
-[[nodiscard]] std::string crowdedness(const ViewTruth& truth);
 
 /// The status of a view of which no true pixel counts, "empty: ...", or that of a crowded one if
 /// that is why; "" if one counts.

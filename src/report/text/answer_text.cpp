@@ -9,6 +9,11 @@
 namespace ink::report {
 namespace {
 
+/// "85 % interval": what an interval over so many scenes is worth, whatever it was made for.
+std::string interval_name(int scenes) {
+    return fmt::format("{} % interval", statistics::known_coverage_percent(scenes));
+}
+
 using summary::Answer;
 using summary::MethodSummary;
 using summary::PairedDifference;
@@ -205,10 +210,6 @@ std::string measure_extent(const std::vector<harness::Row>& rows, summary::Measu
     return measure == summary::Measure::f_2px || row == rows.end()
                ? "at 2 px"
                : fmt::format("of lines {:g} px wide", row->soft->line_width_px);
-}
-
-std::string interval_name(int scenes) {
-    return fmt::format("{} % interval", statistics::known_coverage_percent(scenes));
 }
 
 std::string times_text(const Answer& answer, Markup markup) {

@@ -21,9 +21,6 @@ enum class Markup { none, markdown };
 [[nodiscard]] std::string measure_extent(const std::vector<harness::Row>& rows,
                                          summary::Measure measure);
 
-/// "85 % interval": what an interval over so many scenes is worth, whatever it was made for.
-[[nodiscard]] std::string interval_name(int scenes);
-
 /// Which methods may be the answer where times move: "another run may name `a`, `b`: ...";
 /// "" for none.
 [[nodiscard]] std::string times_text(const summary::Answer& answer, Markup markup);
