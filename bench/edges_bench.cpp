@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
 #include "methods/edge_hash/soup_models.h"

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
 #include "core/image.h"
@@ -140,18 +139,17 @@ class Mixed {
 // A truth by brute force, as a renderer would make it: triangle ids of 16 x 16 rays a pixel.
 class DenseRays {
   public:
-    DenseRays(const scene::Scene& scene, const scene::View& view)
-        : tree_(scene, view), width_px_(view.width_px), height_px_(view.height_px) {}
+    explicit DenseRays(const scene::Scene& scene) : tree_(scene, bench_views(scene)[0]) {}
 
     // 256 rays in every pixel.
     [[nodiscard]] DenseCounts cast_everywhere() const {
         Mixed mixed;
-        for (int y = 0; y < height_px_; ++y) {
-            for (int x = 0; x < width_px_; ++x) {
+        for (int y = 0; y < kHeight_px; ++y) {
+            for (int x = 0; x < kWidth_px; ++x) {
                 if (is_mixed(x, y)) mixed.add(x, y);
             }
         }
-        return mixed.with(static_cast<std::size_t>(width_px_) * height_px_ * kGrid * kGrid);
+        return mixed.with(static_cast<std::size_t>(kWidth_px) * kHeight_px * kGrid * kGrid);
     }
 
     // One ray at each corner of the pixels, and the 256 only in pixels whose corners, with those
@@ -160,8 +158,8 @@ class DenseRays {
         // Rays at the pixels' own corners are shared by four pixels: a pixel whose corners and
         // those of its eight neighbours see one triangle is taken to show nothing else.
         const auto whole = [](int n) { return (n + kPacketSide) / kPacketSide * kPacketSide; };
-        const int columns = whole(width_px_);
-        const int rows = whole(height_px_);
+        const int columns = whole(kWidth_px);
+        const int rows = whole(kHeight_px);
         std::vector<std::uint32_t> corner(static_cast<std::size_t>(columns) * rows);
         for (int y = 0; y < rows; y += kPacketSide) {
             for (int x = 0; x < columns; x += kPacketSide) {
@@ -173,12 +171,12 @@ class DenseRays {
         }
         Mixed mixed;
         std::size_t rays = corner.size();
-        for (int y = 0; y < height_px_; ++y) {
-            for (int x = 0; x < width_px_; ++x) {
+        for (int y = 0; y < kHeight_px; ++y) {
+            for (int x = 0; x < kWidth_px; ++x) {
                 const std::uint32_t id = corner[static_cast<std::size_t>(y) * columns + x];
                 bool is_pure = true;
-                for (int j = std::max(0, y - 1); j <= std::min(y + 2, height_px_) && is_pure; ++j) {
-                    for (int i = std::max(0, x - 1); i <= std::min(x + 2, width_px_); ++i)
+                for (int j = std::max(0, y - 1); j <= std::min(y + 2, kHeight_px) && is_pure; ++j) {
+                    for (int i = std::max(0, x - 1); i <= std::min(x + 2, kWidth_px); ++i)
                         is_pure =
                             is_pure && corner[static_cast<std::size_t>(j) * columns + i] == id;
                 }
@@ -207,15 +205,12 @@ class DenseRays {
     }
 
     RayTree tree_;
-    int width_px_;
-    int height_px_;
 };
 
 /// What a truth without lines would cost: 16 x 16 rays in each pixel, or only where a pixel's
 /// corners and centre see different triangles.
 void time_dense(benchmark::State& state, const std::string& mesh, bool is_adaptive) {
-    const scene::Scene& scene = bench_scene(mesh);
-    const DenseRays rays(scene, bench_views(scene)[0]);
+    const DenseRays rays(bench_scene(mesh));
     DenseCounts counts;
     for (auto _ : state)
         counts = is_adaptive ? rays.cast_adaptive() : rays.cast_everywhere();

@@ -10,7 +10,6 @@
 #include <random>
 #include <vector>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
 #include "core/image.h"

@@ -3,7 +3,6 @@
 #include <map>
 #include <utility>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
 #include "methods/registry.h"

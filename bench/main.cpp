@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "bench/results.h"
 #include "core/error.h"

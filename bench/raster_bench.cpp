@@ -5,7 +5,6 @@
 #include <mutex>
 #include <vector>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "buffers/each_tile.h"
 #include "core/hash.h"

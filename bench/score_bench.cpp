@@ -6,7 +6,6 @@
 #include <random>
 #include <vector>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
 #include "score/drawing.h"

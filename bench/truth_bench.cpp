@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
 #include "truth/curve_facts.h"
