@@ -25,7 +25,7 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "core/provenance.h"
-#include "core/system_reason.h"
+#include "core/whole_file.h"
 
 namespace ink::cli {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
@@ -10,7 +11,6 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "core/system_reason.h"
 
 namespace ink::core {
 namespace {
@@ -26,6 +26,18 @@ int write_new(const std::filesystem::path& path, std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string system_reason(int error) {
+    if (error == 0) return "unknown reason";
+    std::string words = std::generic_category().message(error);
+    if (!words.empty())
+        words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+    return error == ENOSPC ? "disk full (" + words + ")" : words;
+}
+
+Error refused_path(const std::filesystem::filesystem_error& error) {
+    return {error.path1().string(), system_reason(error.code().value()), "a path that can be used"};
+}
 
 std::optional<std::string> read_whole_file(const std::filesystem::path& path) {
     std::error_code failure;

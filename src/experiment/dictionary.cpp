@@ -5,7 +5,7 @@
 #include "harness/rows/methods_table.h"
 #include "harness/rows/row_table.h"
 #include "harness/rows/side_tables.h"
-#include "linear_code/cancellation_study.h"
+#include "linear_code/cancellation.h"
 #include "studies/axis_rows.h"
 #include "studies/axis_summary.h"
 #include "studies/motion_study.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "core/tables/csv.h"
+#include "core/tables/csv_table.h"
 
 namespace ink::summary {
 namespace {

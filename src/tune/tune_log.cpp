@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "core/parse_number.h"
-#include "core/system_reason.h"
 #include "core/whole_file.h"
 
 namespace ink::tune {

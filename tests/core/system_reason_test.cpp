@@ -1,4 +1,4 @@
-#include "core/system_reason.h"
+#include "core/whole_file.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "linear_code/cancellation_study.h"
+#include "linear_code/cancellation.h"
 #include "studies/axis_rows.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/tables/csv.h"
+#include "core/tables/csv_table.h"
 #include "harness/rows/row_table.h"
 #include "tests/harness/baselines.h"
 #include "tests/harness/random_rows.h"

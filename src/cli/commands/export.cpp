@@ -8,7 +8,7 @@
 #include "cli/options/options.h"
 #include "cli/place.h"
 #include "core/error.h"
-#include "core/tables/csv.h"
+#include "core/tables/csv_table.h"
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
 #include "entrants/view_files.h"

@@ -18,7 +18,7 @@
 #include "cli/options/options.h"
 #include "cli/traced_view.h"
 #include "core/error.h"
-#include "core/tables/csv.h"
+#include "core/tables/csv_table.h"
 #include "core/text_table.h"
 #include "core/whole_file.h"
 #include "experiment/experiment_plan.h"

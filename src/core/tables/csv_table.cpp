@@ -36,6 +36,28 @@ std::vector<std::string> take_record(std::string_view text, std::size_t& at, boo
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string number_text(double value) {
+    return fmt::format("{}", value);
+}
+
+std::string number_text(std::int64_t value) {
+    return fmt::format("{}", value);
+}
+
+std::string number_text(std::uint64_t value) {
+    return fmt::format("{}", value);
+}
+
 std::size_t CsvTable::find(std::string_view name) const {
     return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
                                     columns.begin());

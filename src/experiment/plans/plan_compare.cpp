@@ -14,7 +14,7 @@
 #include "harness/cells/sweep.h"
 #include "harness/images/view_images.h"
 #include "harness/rows/side_tables.h"
-#include "linear_code/cancellation_study.h"
+#include "linear_code/cancellation.h"
 
 namespace ink::experiment {
 namespace {

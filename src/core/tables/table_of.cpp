@@ -1,4 +1,4 @@
-#include "core/tables/table_columns.h"
+#include "core/tables/table_of.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/named.h"
-#include "core/tables/csv.h"
+#include "core/tables/csv_table.h"
 
 namespace ink::core {
 
