@@ -142,10 +142,6 @@ std::vector<Antialias> parse_antialias(const std::vector<core::GivenText>& names
     return choices;
 }
 
-bool draws_ink(const method::MethodInfo& info) {
-    return info.draws_ink;
-}
-
 int samples_per_side(Antialias antialias) {
     return 1 << static_cast<int>(antialias);
 }
@@ -167,7 +163,7 @@ scene::View enlarged(scene::View view, int n) {
 method::MethodConfig antialiased(const method::MethodConfig& config,
                                  Antialias antialias,
                                  double line_width_px) {
-    const bool is_ink = draws_ink(*config.info);
+    const bool is_ink = config.info->draws_ink;
     if (antialias == Antialias::none || is_ink) {
         method::MethodConfig own = config;
         own.is_grey = is_ink;
@@ -214,7 +210,7 @@ std::vector<method::MethodConfig> at_each_antialias(
     std::vector<method::MethodConfig> all;
     for (std::size_t i = 0; i < choices.size(); ++i) {
         for (const method::MethodConfig& config : configs) {
-            if ((config.is_outside || draws_ink(*config.info)) && i > 0) continue;
+            if ((config.is_outside || config.info->draws_ink) && i > 0) continue;
             all.push_back(config.is_outside ? config
                                             : antialiased(config, choices[i], line_width_px));
         }

@@ -32,9 +32,6 @@ inline constexpr std::array<std::string_view, 3> kAntialiasNames = {
 /// or no. A line of a pixel or more covers half of one pixel at least wherever it lies.
 inline constexpr int kGreyThreshold = 128;
 
-/// Whether the edge responses of a method are shares of pixels, not strengths.
-[[nodiscard]] bool draws_ink(const method::MethodInfo& info);
-
 /// The configuration as a method of its own that draws grey lines, called NAME_resolve4 or
 /// NAME_resolve16; for `none`, and if it draws ink, as it is.
 ///

@@ -10,8 +10,8 @@
 #include "core/named.h"
 #include "core/split_list.h"
 #include "core/whole_file.h"
-#include "methods/method_file.h"
 #include "methods/presets.h"
+#include "methods/registry.h"
 
 namespace ink::methods {
 namespace {

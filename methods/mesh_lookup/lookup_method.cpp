@@ -12,7 +12,7 @@
 #include "buffers/sample_grid.h"
 #include "core/error.h"
 #include "methods/mesh_lookup/lookup_table.h"
-#include "methods/surface_codes/surface_code_params.h"
+#include "methods/surface_codes/code_method.h"
 
 namespace ink::methods {
 namespace {

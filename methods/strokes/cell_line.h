@@ -3,14 +3,80 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
 
-#include "methods/grey_lines/line_widths.h"
+#include "methods/grey_lines/ink_method.h"
 #include "methods/grey_lines/lined_sides.h"
 #include "methods/mesh_lookup/screen_mesh.h"
-#include "methods/strokes/sample_faces.h"
-#include "methods/strokes/segments.h"
+#include "methods/mesh_lookup/side_lists.h"
 
 namespace ink::methods {
+
+/// The faces seen at the samples of a frame.
+class SampleFaces {
+  public:
+    void reset(const raster::TileGrid& grid) { tiles_.reset(grid); }
+    void take(const raster::Tile& tile) {
+        Tile& to = tiles_.of(tile.x0_px, tile.y0_px);
+        to.is_sky = false;
+        for (int y = 0; y < tile.height_px; ++y)
+            std::copy_n(
+                tile.row<std::uint32_t>(0, y), tile.width_px, to.words.data() + Tiles::place(0, y));
+    }
+    /// At a sample of the frame; kNoNeighbour is sky.
+    [[nodiscard]] std::uint32_t at(int x, int y) const {
+        const Tile& tile = tiles_.of(x, y);
+        if (tile.is_sky) return kNoNeighbour;
+        const std::uint32_t word = tile.words[Tiles::place(x, y)];
+        return word == kNoNeighbour ? word : word & LookupWord::kFaceOfCoded;
+    }
+
+  private:
+    struct Tile;
+    using Tiles = SampleTiles<Tile>;
+    struct Tile {
+        bool is_sky = true;
+        std::array<std::uint32_t, Tiles::kCount> words;
+
+        void clear() { is_sky = true; }
+    };
+
+    Tiles tiles_;
+};
+
+/// What is straight on the image, in samples, with 1/w at its ends, between which that is linear.
+struct Segment {
+    glm::dvec2 a{0}, b{0};
+    double qa = 0, qb = 0;
+
+    [[nodiscard]] glm::dvec2 at(double t) const { return a + t * (b - a); }
+    [[nodiscard]] double q_at(double t) const { return qa + t * (qb - qa); }
+};
+
+/// What is left of a segment in a cell, as parts of its length.
+struct Clipped {
+    double from = 0, to = 1;
+};
+
+/// An edge between two vertices, not snapped; of one that reaches before the near plane what lies
+/// beyond.
+[[nodiscard]] std::optional<Segment> edge_segment(const ScreenMesh& screen,
+                                                  std::uint32_t a,
+                                                  std::uint32_t b);
+
+/// Where two faces are equally far, about as long as two cells, near `at`; nothing if that is
+/// nowhere near.
+[[nodiscard]] std::optional<Segment> intersection_segment(const ScreenMesh& screen,
+                                                          std::uint32_t face,
+                                                          std::uint32_t other,
+                                                          const glm::dvec2& at);
+
+/// 1/w of a face's plane at a place; 0 of one that is seen edge-on.
+[[nodiscard]] double plane_q(const ScreenMesh& screen, std::uint32_t face, const glm::dvec2& at);
+
+/// Nothing if it misses the cell, which is named by its upper left sample.
+[[nodiscard]] std::optional<Clipped> clip_to_cell(const Segment& segment, const glm::ivec2& cell);
 
 /// Names an edge by its vertices, or an intersection by its faces; 0 is none.
 using LineName = std::uint64_t;

@@ -7,7 +7,7 @@
 //
 // so that codes differ by a step at most where a smooth surface goes on, and by more across lines.
 
-#include "methods/surface_codes/surface_code_params.h"
+#include "methods/surface_codes/code_method.h"
 
 namespace ink::methods {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "buffers/tile_buffer.h"
 #include "edge/side_differences.h"
-#include "methods/surface_codes/surface_code_params.h"
+#include "methods/surface_codes/code_method.h"
 
 namespace ink::methods {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
+#include "methods/surface_codes/code_method.h"
 #include "methods/surface_codes/code_repair.h"
-#include "methods/surface_codes/seen_squares.h"
-#include "methods/surface_codes/surface_code_params.h"
 #include "scene/animation.h"
 
 namespace ink::methods {

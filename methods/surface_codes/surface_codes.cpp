@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "methods/surface_codes/patch_labels.h"
-#include "methods/surface_codes/surface_graph.h"
+#include "methods/surface_codes/surface_distance.h"
 #include "scene/precision/weld_tolerance.h"
 
 namespace ink::methods {

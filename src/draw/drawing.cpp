@@ -107,7 +107,7 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
     RgbImage under = draw_under(scene_views, view, options);
     Drawing drawing;
     if (options.shading) drawing.shading = shade::dither(shade::average(under, n), options.dither);
-    if (methods::draws_ink(*config.info)) {
+    if (config.info->draws_ink) {
         drawing.edge_responses = draw_method(scene_views,
                                              with_width(config, options.line_width_px),
                                              scene_views.views.front(),

@@ -19,7 +19,7 @@ namespace {
 /// Lets methods that draw ink draw lines as wide as the true ones, unless the user said how wide.
 void follow_line_width(double line_width_px, std::vector<method::MethodConfig>& configs) {
     for (method::MethodConfig& config : configs) {
-        if (!methods::draws_ink(*config.info)) continue;
+        if (!config.info->draws_ink) continue;
         for (const core::Param& param : config.info->params) {
             if (param.name != "width_px" || line_width_px == param.default_value) continue;
             const double width_px = std::clamp(line_width_px, param.min, param.max);
@@ -79,7 +79,7 @@ void cover_named_ink(Experiment& experiment) {
     const bool is_all = names.size() == methods::registry().size();
     if (is_all || experiment.kind != ExperimentKind::compare) return;
     experiment.coverage |= std::any_of(names.begin(), names.end(), [](const auto& name) {
-        return methods::draws_ink(methods::find_method(name));
+        return methods::find_method(name).draws_ink;
     });
 }
 

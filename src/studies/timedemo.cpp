@@ -18,7 +18,6 @@
 #include "core/whole_file.h"
 #include "harness/cells/cell.h"
 #include "harness/clock/timing.h"
-#include "methods/antialias.h"
 #include "raster/mesh/mesh_pass.h"
 #include "scene/animation.h"
 #include "scene/views/camera_path.h"
@@ -96,7 +95,7 @@ class Shaded {
 struct Player {
     method::MethodConfig config;
     int threshold = method::threshold_of(config);
-    bool is_ink = methods::draws_ink(*config.info);
+    bool is_ink = config.info->draws_ink;
     std::unique_ptr<method::Method> method = config.info->make(config.settings);
     edge::EdgeImage edge_responses = {};
     std::vector<std::string> hashes = {};  ///< of its frames, as first drawn

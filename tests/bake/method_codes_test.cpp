@@ -7,7 +7,7 @@
 #include "catalogue/catalogue.h"
 #include "methods/registry.h"
 #include "methods/surface_codes/baked_codes.h"
-#include "methods/surface_codes/surface_code_params.h"
+#include "methods/surface_codes/code_method.h"
 
 namespace ink::methods {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "method/family.h"
+#include "method/method.h"
 #include "score/attribution.h"
 #include "truth/line_class.h"
 

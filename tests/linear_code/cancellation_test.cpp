@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "catalogue/catalogue.h"
-#include "linear_code/cancellation_study.h"
 #include "methods/registry.h"
 #include "tests/linear_code/crease_fan.h"
 

@@ -3,7 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "catalogue/shapes.h"
-#include "methods/auto/auto_plan.h"
+#include "methods/auto/auto.h"
 #include "tests/methods/small_scenes.h"
 
 // What `auto` chooses for each kind of scene, and that it draws what it chose.

@@ -15,7 +15,7 @@
 #include "catalogue/shapes.h"
 #include "edge/bit_mask.h"
 #include "methods/surface_codes/baked_codes.h"
-#include "methods/surface_codes/surface_code_params.h"
+#include "methods/surface_codes/code_method.h"
 #include "scene/animation.h"
 #include "tests/methods/small_scenes.h"
 #include "tests/methods/two_px.h"

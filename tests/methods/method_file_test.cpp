@@ -1,4 +1,3 @@
-#include "methods/method_file.h"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "core/toml_document.h"
 #include "core/whole_file.h"
-#include "methods/method_file.h"
 #include "methods/registry.h"
 #include "tests/core/error_text.h"
 #include "tests/methods/names.h"

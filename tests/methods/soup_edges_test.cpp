@@ -1,4 +1,3 @@
-#include "methods/edge_hash/soup_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,6 @@
 
 #include "catalogue/shapes.h"
 #include "methods/surface_codes/surface_distance.h"
-#include "methods/surface_codes/surface_graph.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::methods {

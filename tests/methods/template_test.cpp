@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/whole_file.h"
-#include "methods/method_file.h"
+#include "methods/registry.h"
 #include "tests/methods/small_scenes.h"
 #include "tests/methods/two_px.h"
 #include "truth/truth.h"

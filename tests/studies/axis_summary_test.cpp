@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "method/family.h"
+#include "method/method.h"
 #include "tests/report/markup.h"
 
 namespace ink::studies {

@@ -1,5 +1,7 @@
 #include "method/method.h"
 
+#include "core/vocabulary.h"
+
 namespace ink::method {
 
 MethodInfo method_info(std::string_view name,
@@ -17,6 +19,14 @@ MethodInfo method_info(std::string_view name,
         return rows.complete(values, where);
     };
     return info;
+}
+
+std::string_view name_of(Family family) {
+    return core::vocabulary().families[static_cast<std::size_t>(family)].name;
+}
+
+std::string_view name_of(Marker marker) {
+    return core::vocabulary().markers[static_cast<std::size_t>(marker)].name;
 }
 
 }  // namespace ink::method
