@@ -12,7 +12,7 @@
 
 #include "core/base64.h"
 #include "core/error.h"
-#include "import/gltf/glb.h"
+#include "import/gltf/document.h"
 #include "import/gltf/json.h"
 #include "import/model_bytes.h"
 #include "import/printable.h"

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "core/whole_file.h"
-#include "import/gltf/glb.h"
+#include "import/gltf/document.h"
 
 namespace ink::entrants {
 namespace {

@@ -4,11 +4,20 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "import/gltf/json.h"
 
 namespace ink::import {
+
+/// The bytes of a .glb (glTF 2.0, section 4.4): `json`, and `binary` as the chunk of its first
+/// buffer, which is left out if it is empty. Throws core::Error (where = `path`) if they need more
+/// than the 4 GiB that the format holds.
+[[nodiscard]] std::string glb_bytes(std::string_view json,
+                                    std::string_view binary,
+                                    const std::filesystem::path& path);
 
 /// A glTF 2.0 file: its JSON, and the binary chunk of a .glb.
 struct GltfDocument {
