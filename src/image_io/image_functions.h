@@ -2,7 +2,6 @@
 
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
-#include "image_io/picture_file.h"
 
 namespace ink::image_io {
 

@@ -8,7 +8,7 @@
 #include "harness/suite/suite.h"
 #include "tests/truth/shapes.h"
 #include "truth/eye_view.h"
-#include "truth/screen_line.h"
+#include "truth/trace_lines.h"
 
 namespace ink::draw {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/tables/csv_table.h"
 #include "entrants/entrant.h"
 #include "harness/images/outline_image.h"
-#include "image_io/picture_file.h"
+#include "image_io/image_file.h"
 #include "tests/core/temp_folder.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/whole_file.h"
-#include "image_io/picture_file.h"
+#include "image_io/image_file.h"
 #include "tests/core/temp_folder.h"
 #include "tests/image_io/display_window.h"
 

@@ -14,7 +14,6 @@
 #include "core/error.h"
 #include "image_io/exr_file.h"
 #include "image_io/open_image_io.h"
-#include "image_io/picture_file.h"
 #include "tests/core/error_text.h"
 #include "tests/core/temp_folder.h"
 

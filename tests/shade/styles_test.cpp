@@ -1,4 +1,4 @@
-#include "shade/styles.h"
+#include "shade/shading.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/srgb.h"
-#include "image_io/picture_file.h"
+#include "image_io/image_file.h"
 
 namespace ink::harness {
 namespace {
