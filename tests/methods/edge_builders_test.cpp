@@ -1,4 +1,4 @@
-#include "methods/edge_list/listed_models.h"
+#include "methods/edge_list/edge_builders.h"
 
 #include <gtest/gtest.h>
 
