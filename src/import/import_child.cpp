@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "import/fbx/fbx_reader.h"
 #include "import/gltf/gltf_reader.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/model_bytes.h"
@@ -171,6 +172,7 @@ ImportReply read_known(const std::filesystem::path& path, const ModelChoice& cho
     if (auto reply = read_quake_model(path)) return std::move(*reply);
     if (auto reply = read_gltf(path, choice)) return std::move(*reply);
     if (auto reply = read_mesh_file(path, choice.has_texcoords)) return std::move(*reply);
+    if (auto reply = read_fbx(path, choice)) return std::move(*reply);
     refuse_by_ending(path, head_of(path));
     return reply_of(has_read_ending(path) ? ImportStatus::wrong_content
                                           : ImportStatus::unknown_format);

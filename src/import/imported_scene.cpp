@@ -65,6 +65,7 @@ Lamp make_lamp(const ImportedLight& from, const scene::Sphere& bounds) {
         return lamp;
     }
     lamp.light.range = from.range;
+    if (!from.is_physical) return lamp;
     // Light thins out with the square of the way (which no lamp of the shading's does); from
     // within the scene as from its rim.
     const double way = std::max(glm::length(from.p_world - bounds.center_world), radius);
@@ -87,12 +88,12 @@ void note(std::size_t count, const char* one, const char* many, scene::Scene& sc
     scene.file.notes.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
 }
 
-/// Makes the brightest lamp 1.
-void balance(std::vector<Lamp>& lamps) {
+/// Makes the brightest lamp 1: always where strengths are physical, else only from above.
+void balance(bool is_physical, std::vector<Lamp>& lamps) {
     double most = 0;
     for (const Lamp& lamp : lamps)
         most = std::max(most, brightest(lamp.color));
-    if (!(most > 0)) return;
+    if (!(most > (is_physical ? 0 : 1))) return;
     for (Lamp& lamp : lamps)
         lamp.color *= 1 / most;
 }
@@ -324,6 +325,7 @@ void take_lights(const std::vector<ImportedLight>& lights,
     const auto world_from_node =
         animation ? scene::world_from_nodes(*animation, std::nullopt) : std::vector<glm::dmat4>{};
     std::vector<Lamp> lamps;
+    bool is_physical = false;
     std::size_t unusable = 0;
     std::size_t too_many = 0;
     for (const ImportedLight& from : lights) {
@@ -339,9 +341,10 @@ void take_lights(const std::vector<ImportedLight>& lights,
         }
         if (from.node < world_from_node.size() && animation->is_moving(from.node))
             hang(from.node, world_from_node, lamp);
+        is_physical = is_physical || from.is_physical;
         lamps.push_back(std::move(lamp));
     }
-    balance(lamps);
+    balance(is_physical, lamps);
     const auto spots = std::ranges::count(lights, LightKind::spot, &ImportedLight::kind);
     note(static_cast<std::size_t>(spots),
          "spotlight shines to all sides",

@@ -27,9 +27,10 @@ namespace ink::import {
 /// their nodes that move; `animation` is the scene's, null if nothing moves. Lights without light
 /// are none.
 ///
-/// A distant light becomes a lamp so far away that its rays are parallel. Strengths count by what
-/// arrives in the scene's middle, and the brightest lamp of all has full light there. What else is
-/// not as the file has it becomes a note in `scene.file`.
+/// A distant light becomes a lamp so far away that its rays are parallel. Strengths are told apart:
+/// candela count by what arrives in the scene's middle, and the brightest lamp of all has full
+/// light there; shares of full light stay as they are, unless one is above 1: then the brightest
+/// has 1. What else is not as the file has it becomes a note in `scene.file`.
 void take_lights(const std::vector<ImportedLight>& lights,
                  const std::shared_ptr<scene::Animation>& animation,
                  scene::Scene& scene);

@@ -55,15 +55,6 @@ constexpr std::array kOtherFormats{
                 "glTF of it: blender -b FILE --python-expr \"import bpy; "
                 "bpy.ops.export_scene.gltf(filepath='OUT.glb', export_apply=True)\""},
     OtherFormat{
-        "an FBX file",
-        ".fbx",
-        {"Kaydara FBX Binary", "; FBX"},
-        "glTF of it: blender -b --factory-startup --python-expr \"import bpy; "
-        "bpy.ops.wm.read_homefile(use_empty=True); "
-        "bpy.ops.import_scene.fbx(filepath='FILE'); "
-        "bpy.ops.export_scene.gltf(filepath='OUT.glb')\"; if it is text, assimp export FILE "
-        "OUT.glb -fglb2"},
-    OtherFormat{
         "a Collada file",
         ".dae .zae",
         {"<COLLADA"},

@@ -9,7 +9,7 @@ namespace ink::import {
 
 /// The endings of what is read, as the table in README.md has them.
 inline constexpr std::string_view kReadEndings =
-    ".gltf, .glb, .ply, .stl, .off, .obj, .mdl, .md2, .md3";
+    ".gltf, .glb, .ply, .stl, .off, .obj, .mdl, .md2, .md3, .fbx";
 
 [[nodiscard]] bool has_read_ending(const std::filesystem::path& path);
 

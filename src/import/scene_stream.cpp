@@ -61,7 +61,7 @@ static_assert(sizeof(scene::VectorKey) == 32 && sizeof(scene::RotationKey) == 40
               "arrays travel as they lie in memory, without gaps");
 
 constexpr std::array<char, 8> kMagic{'i', 'n', 'k', 's', 'c', 'e', 'n', 'e'};
-constexpr std::uint32_t kVersion = 9;
+constexpr std::uint32_t kVersion = 8;
 constexpr std::uint32_t kEndMark = 0x656e6421;
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16 &&
@@ -76,7 +76,7 @@ void pass_scene(Stream& of, Reply& reply) {
     constexpr std::size_t kLeastMeshBytes = 57;
     constexpr std::size_t kLeastInstanceBytes = 144;
     constexpr std::size_t kLeastCameraBytes = 100;
-    constexpr std::size_t kLeastLightBytes = 76;
+    constexpr std::size_t kLeastLightBytes = 77;
     constexpr std::size_t kLeastTextBytes = 8;
     const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
     of.parts(reply.reason);
@@ -93,7 +93,7 @@ void pass_scene(Stream& of, Reply& reply) {
     });
     of.list(reply.lights, kLeastLightBytes, [](auto& stream, auto& light) {
         stream.parts(light.kind, light.p_world, light.direction_world, light.color);
-        stream.parts(light.range, light.node);
+        stream.parts(light.is_physical, light.range, light.node);
     });
     of.list(reply.animation_names, kLeastTextBytes, pass_text);
     of.list(reply.notes, kLeastTextBytes, pass_text);

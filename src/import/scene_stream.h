@@ -84,8 +84,11 @@ struct ImportedLight {
     LightKind kind = LightKind::point;
     glm::dvec3 p_world{0};
     glm::dvec3 direction_world{0};  ///< where the light of a distant one goes, of any length
-    glm::vec3 color{1};             ///< times its strength in candela, in lux that of a distant one
-    double range = 0;               ///< world units, as scene::OmniLight has it
+    glm::vec3 color{1};             ///< times its strength
+    /// Whether the strength is in candela, in lux that of a distant one; else a share of full
+    /// light.
+    bool is_physical = false;
+    double range = 0;                     ///< world units, as scene::OmniLight has it
     std::uint32_t node = scene::kNoNode;  ///< of the reply's animation, with which it goes
 };
 

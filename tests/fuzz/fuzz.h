@@ -103,6 +103,7 @@ void expect_scene_or_error(const import::ImportReply& reply);
     TARGET(entrant_image)        \
     TARGET(entrant_times)        \
     TARGET(experiment)           \
+    TARGET(fbx)                  \
     TARGET(gltf)                 \
     TARGET(kept_truth)           \
     TARGET(matching)             \

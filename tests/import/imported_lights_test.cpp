@@ -5,12 +5,15 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "tests/import/fbx_files.h"
 #include "tests/import/imported_meshes.h"
+#include "tests/import/model_files.h"
 
 namespace ink::import {
 namespace {
 
 using testing::ElementsAre;
+using ImportLights = ModelFiles;
 
 /// A cube about zero with lights.
 ImportReply lit_reply(std::vector<ImportedLight> lights) {
@@ -30,6 +33,24 @@ ImportedLight point_at(const glm::dvec3& p_world, const glm::vec3& color) {
     return light;
 }
 
+TEST(ImportedLights, SharesOfFullLightStay) {
+    ImportedLight lamp = point_at({0, 4, 0}, {0.5F, 0.25F, 0});
+    lamp.range = 6;
+    const scene::Scene scene = lit_by({lamp});
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(scene.lights[0].p_world, glm::dvec3(0, 4, 0));
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(0.5F, 0.25F, 0));
+    EXPECT_EQ(scene.lights[0].range, 6);
+}
+
+TEST(ImportedLights, TheBrightestOfThoseAboveOneIsOne) {
+    const scene::Scene scene =
+        lit_by({point_at({0, 4, 0}, {1000, 500, 0}), point_at({0, 5, 0}, {250, 0, 0})});
+    ASSERT_EQ(scene.lights.size(), 2U);
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0));
+    EXPECT_EQ(scene.lights[1].color, glm::vec3(0.25F, 0, 0));
+}
+
 TEST(ImportedLights, CandelaCountByWhatArrivesInTheMiddle) {
     // 8 candela 2 away and 8 candela 4 away are 2 and 0.5 lux; the third has 1 lux of its own.
     ImportedLight near = point_at({2, 0, 0}, glm::vec3(8));
@@ -37,6 +58,7 @@ TEST(ImportedLights, CandelaCountByWhatArrivesInTheMiddle) {
     ImportedLight sun;
     sun.kind = LightKind::distant;
     sun.direction_world = {0, -3, 0};
+    near.is_physical = far.is_physical = sun.is_physical = true;
     const scene::Scene scene = lit_by({near, far, sun});
     ASSERT_EQ(scene.lights.size(), 3U);
     EXPECT_EQ(scene.lights[0].color.r, 1);
@@ -117,6 +139,25 @@ TEST(ImportedLights, ASceneFarFromZeroTakesItsLightsAlong) {
     EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 1);
     scene::pose_scene(scene, 2);
     EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 3);
+}
+
+TEST_F(ImportLights, FbxLightsDecay) {
+    fbx::File file;
+    file.settings = {fbx::property("UnitScaleFactor", fbx::Numbers{100})};  // metres
+    fbx::add_box(file, file.model(0, "box"));
+    file.attribute(file.model(0, "L", {fbx::property("Lcl Translation", {1, 2, 3})}, "Light"),
+                   "Light",
+                   {fbx::property("LightType", 0),
+                    fbx::property("Color", {1, 0.5, 0}),
+                    fbx::property("Intensity", fbx::Numbers{5000}),
+                    fbx::property("DecayType", 2),
+                    fbx::property("DecayStart", fbx::Numbers{3})});
+    const scene::Scene scene = import_scene(write("lit.fbx", file.text()));
+    ASSERT_EQ(scene.lights.size(), 1U);
+    const glm::dvec3 p_cm(100, 200, 300);
+    EXPECT_LT(glm::length(scene.lights[0].p_world - p_cm), 1e-4);
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0)) << "the brightest has full light";
+    EXPECT_NEAR(scene.lights[0].range, 600, 1e-3) << "half of the light is left at 3 m";
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ ImportReply sample_reply() {
                        .p_world = {1, 2, 3},
                        .direction_world = {4, 5, 6},
                        .color = {7, 8, 9},
+                       .is_physical = true,
                        .range = 10,
                        .node = 12};
     reply.cameras = {{.name = "eye", .eye_world = {1, 2, 3}, .fov_y_rad = 0.5, .node = 1}};

@@ -229,6 +229,39 @@ TEST(BadScore, Options) {
         expect("--ignore", value);
 }
 
+/// A triangle with keys.
+constexpr const char* kMovingFbx = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  { FBXVersion: 7400
+}
+Objects:  {
+ Model: 1, "Model::m", "Mesh" {
+ }
+ Geometry: 2, "Geometry::g", "Mesh" {
+  Vertices: *9 { a: 0,0,0,1,0,0,0,1,0 }
+  PolygonVertexIndex: *3 { a: 0,1,-3 }
+ }
+ AnimationCurve: 3, "AnimCurve::", "" {
+  KeyTime: *2 { a: 0,46186158000 }
+  KeyValueFloat: *2 { a: 0,1 }
+ }
+}
+Connections:  {
+ C: "OO",1,0
+ C: "OO",2,1
+}
+)";
+
+TEST(BadInput, MotionThatIsNotReadIsRefusedWithAWayToIt) {
+    const Desk desk;
+    desk.write("walker.fbx", kMovingFbx);
+    for (const char* line : {"timedemo walker.fbx",
+                             "export walker.fbx -o out --time 1",
+                             "export walker.fbx -o out --frame 1",
+                             "draw walker.fbx -o a.png --animation walk"})
+        EXPECT_THAT(refusal(desk, line), testing::ContainsRegex("walker.*at rest alone.*glTF"))
+            << line;
+}
+
 TEST(BadName, TooLongForAFile) {
     const Desk desk;
     const std::string name(300, 'x');

@@ -1,4 +1,4 @@
-"""Writers of PLY, STL, OFF and OBJ over all that these formats allow, and what must come out of each file.
+"""Writers of PLY, STL, OFF, OBJ and FBX over all that these formats allow, and what must come out of each file.
 
 No writer shares anything with the program. Every number is one that a float holds, so the soup that comes out
 must be the soup that was meant, bit for bit.
@@ -6,6 +6,7 @@ must be the soup that was meant, bit for bit.
 
 import itertools
 import struct
+import zlib
 from dataclasses import dataclass, field
 
 # A box, a pit with a dent in its floor plan, and a bent strip, one beside the other.
@@ -319,6 +320,86 @@ def obj_cases():
     yield Case("wide.obj", text.encode("utf-16-be"), refusal="UTF-16")
 
 
+# ---- FBX ----------------------------------------------------------------------------------------
+
+
+def fbx_elements(properties=(), shift=(0, 0, 0), shapes=0):
+    """(name, values, children) of each element of a file with one model; what its points lack, `shapes` at 50 % give."""
+    numbers = [float(c + d) for p in BOX + PIT for c, d in zip(p, shift)]
+    corners = [c if i + 1 < len(f) else -1 - c for f in solids() for i, c in enumerate(f)]
+    objects = [("Model", [1, "Model::m", "Mesh"], [("Properties70", [], [
+        ("P", [name, "", "", "A", *values], []) for name, *values in properties])]),
+        ("Geometry", [2, "Geometry::g", "Mesh"], [("Vertices", [numbers], []), ("PolygonVertexIndex", [corners], [])])]
+    links = [(1, 0), (2, 1)]
+    if shapes:
+        whole = [-2.0 * d for _ in BOX + PIT for d in shift]
+        objects += [("Deformer", [3, "Deformer::b", "BlendShape"], []),
+                    ("Deformer", [4, "SubDeformer::c", "BlendShapeChannel"], [("DeformPercent", [50.0], [])]),
+                    ("Geometry", [5, "Geometry::s", "Shape"], [
+                        ("Indexes", [list(range(len(BOX + PIT)))], []), ("Vertices", [whole], [])])]
+        links += [(3, 2), (4, 3), (5, 4)]
+    return [("FBXHeaderExtension", [], [("FBXVersion", [7400], [])]), ("Objects", [], objects),
+            ("Connections", [], [("C", ["OO", *link], []) for link in links])]
+
+
+def fbx_text(element):
+    name, values, children = element
+    words = [f'"{v}"' if isinstance(v, str) else f"*{len(v)} {{\n a: {','.join(map(str, v))}\n}}" if isinstance(v, list)
+             else str(v) for v in values]
+    inner = " {\n" + "".join(map(fbx_text, children)) + "}" if children else ""
+    return f"{name}: {', '.join(words)}{inner}\n"
+
+
+def fbx_value(value, packed):
+    if isinstance(value, str):
+        kind, _, rest = value.partition("::")
+        text = f"{rest}\0\1{kind}".encode() if rest else value.encode()
+        return b"S" + struct.pack("<I", len(text)) + text
+    if isinstance(value, list):
+        kind = "d" if isinstance(value[0], float) else "i"
+        data = struct.pack(f"<{len(value)}{kind}", *value)
+        data = zlib.compress(data) if packed else data
+        return kind.encode() + struct.pack("<3I", len(value), packed, len(data)) + data
+    return struct.pack("<cd", b"D", value) if isinstance(value, float) else struct.pack("<cq", b"L", value)
+
+
+def fbx_bytes(element, begin, place, packed):
+    name, values, children = element
+    data = b"".join(fbx_value(value, packed) for value in values)
+    rest = struct.pack("B", len(name)) + name.encode() + data
+    head = 3 * struct.calcsize(place)
+    for child in children:
+        rest += fbx_bytes(child, begin + head + len(rest), place, packed)
+    rest += bytes(head + 1) if children else b""
+    return struct.pack("<3" + place, begin + head + len(rest), len(values), len(data)) + rest
+
+
+def fbx_file(elements, version=7400, packed=False):
+    file = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", version)
+    place = "Q" if version >= 7500 else "I"
+    for element in elements:
+        file += fbx_bytes(element, len(file), place, packed)
+    return file + bytes(3 * struct.calcsize(place) + 1)
+
+
+def fbx_cases():
+    text = "; FBX 7.4.0 project file\n" + "".join(map(fbx_text, fbx_elements()))
+    for name, data in line_ends(text):
+        yield Case(f"text_{name}.fbx", data)
+    yield Case("mark.fbx", b"\xef\xbb\xbf" + text.encode())
+    for version, packed in itertools.product((7400, 7500), (False, True)):
+        yield Case(f"binary_{version}{'_packed' if packed else ''}.fbx", fbx_file(fbx_elements(), version, packed))
+    moved = fbx_elements([("Lcl Translation", 8.0, 4.0, 2.0)], (-8, -4, -2))
+    yield Case("moved.fbx", fbx_file(moved))
+    pivot = [("Lcl Scaling", 2.0, 2.0, 2.0), ("ScalingPivot", 1.0, 2.0, 3.0), ("GeometricScaling", .5, .5, .5),
+             ("ScalingOffset", 1.0, 2.0, 3.0)]
+    yield Case("pivot.fbx", fbx_file(fbx_elements(pivot)))
+    yield Case("shape.fbx", fbx_file(fbx_elements((), (0, 1, 5), 1)))
+    yield Case("cut.fbx", fbx_file(moved)[:-20], refusal="is damaged")
+    yield Case("old.fbx", text.replace("7400", "6100").encode(), refusal="of version 6100")
+    yield Case("hidden.fbx", fbx_file(fbx_elements([("Visibility", 0.0)])), refusal="hidden")
+
+
 def all_cases():
-    for cases in (ply_cases, stl_cases, off_cases, obj_cases):
+    for cases in (ply_cases, stl_cases, off_cases, obj_cases, fbx_cases):
         yield from cases()

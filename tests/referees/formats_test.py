@@ -1,4 +1,4 @@
-"""PLY, STL, OFF and OBJ as the referees write them come out as they were meant, or are refused by name."""
+"""PLY, STL, OFF, OBJ and FBX as the referees write them come out as they were meant, or are refused by name."""
 
 import subprocess
 import tempfile

@@ -16,6 +16,7 @@
 #include "experiment/options/option_table.h"
 #include "harness/cells/cell.h"
 #include "harness/images/view_images.h"
+#include "import/rest_alone.h"
 #include "methods/method_configs.h"
 #include "studies/timedemo.h"
 
@@ -70,6 +71,7 @@ void run_timedemo(const TimedemoArgs& args) {
     }
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
+    import::check_motion_is_read(scene_views.scene, "timedemo");
     print_notes(scene_views);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const char* what_is_left = "nothing is written";

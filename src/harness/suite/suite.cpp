@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/named.h"
 #include "core/param.h"
+#include "import/rest_alone.h"
 #include "scene/animation.h"
 #include "scene/views/framing.h"
 
@@ -134,6 +135,7 @@ void say_what_is_listed(const std::vector<ListedModel>& models,
 }
 
 void check_moves(const scene::Scene& scene, const char* option) {
+    import::check_motion_is_read(scene, option);
     if (scene.animation) return;
     throw core::Error(option,
                       fmt::format("{} does not move", scene.name),

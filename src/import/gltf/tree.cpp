@@ -92,6 +92,7 @@ ImportedLight light_at(const JsonObject& json, LightKind kind, const glm::dmat4&
     light.direction_world = glm::dmat3(world_from_node) * glm::dvec3(0, 0, -1);
     const auto color = json.numbers("color", 3).value_or(std::vector<double>{1, 1, 1});
     light.color = glm::dvec3(color[0], color[1], color[2]) * number_or(json, "intensity", 1);
+    light.is_physical = true;
     light.range = kind == LightKind::distant ? 0 : number_or(json, "range", 0);
     return light;
 }
