@@ -32,7 +32,7 @@ Wide area(const Place& a, const Place& b, const Place& c) {
 
 /// Many times what a long double rounds by.
 constexpr Long kRounding = 1e-18L;
-constexpr Long kMostPixels = 1e4L;
+constexpr Long kMostPixelsAcross = 1e4L;
 
 /// The volume that a ray spans with two corners.
 Outline::Line volume(const glm::dvec3& a, const glm::dvec3& b) {
@@ -42,7 +42,7 @@ Outline::Line volume(const glm::dvec3& a, const glm::dvec3& b) {
     return {ay * bw - aw * by,
             aw * bx - ax * bw,
             ax * by - ay * bx,
-            kRounding * (kMostPixels * largest + std::abs(ax * by) + std::abs(ay * bx))};
+            kRounding * (kMostPixelsAcross * largest + std::abs(ax * by) + std::abs(ay * bx))};
 }
 
 /// How far a corner on the screen may be from its place: it is put on a grid of 1/256 px, and where
