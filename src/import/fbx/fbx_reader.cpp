@@ -15,7 +15,6 @@
 #include "import/fbx/models.h"
 #include "import/meshes/polygons.h"
 #include "import/model_bytes.h"
-#include "import/model_bytes.h"
 #include "import/rest_alone.h"
 
 namespace ink::import {

@@ -28,8 +28,7 @@ class NarrowConstant {
             return {static_cast<decltype(hn::Mask<DT>::raw)>(mask.raw)};
 #else
             const hn::RebindToSigned<DT> ds;  // -1 stays -1
-            return hn::MaskFromVec(
-                hn::BitCast(DT(), hn::DemoteTo(ds, hn::VecFromMask(D(), mask))));
+            return hn::MaskFromVec(hn::BitCast(DT(), hn::DemoteTo(ds, hn::VecFromMask(D(), mask))));
 #endif
         }
     }
