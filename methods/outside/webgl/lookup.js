@@ -73,6 +73,7 @@ export class LookupLines {
         gl.bindTexture(gl.TEXTURE_2D, texture);
         gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
         for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+        gl.bindTexture(gl.TEXTURE_2D, null);
         return texture;
     }
 
@@ -92,6 +93,7 @@ export class LookupLines {
         for (const [name, value] of [['FLIP_Y_WEBGL', false], ['PREMULTIPLY_ALPHA_WEBGL', false], ['ALIGNMENT', 4]])
             gl.pixelStorei(gl[`UNPACK_${name}`], value);  // engines leave their own
         gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TABLE_WIDTH, rows, layout, type, whole);
+        gl.bindTexture(gl.TEXTURE_2D, null);
     }
 
     program(vertex, fragment) {
@@ -152,6 +154,11 @@ export class LookupLines {
             else gl.uniform1f(place, value);
         }
         gl.drawArrays(kind, 0, count);
+        // A sampler of an engine that has no texture yet would read these, which are of another kind.
+        Object.keys(textures).forEach((_, unit) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(gl.TEXTURE_2D, null);
+        });
     }
 
     /// Takes, once, the model at rest. Of each part `position`, three numbers a vertex; `morphs`, arrays of what each adds
