@@ -91,7 +91,7 @@ void add_explain_command(CLI::App& app) {
                                        "Explain a scene: where it is, what it has, what methods "
                                        "leave undone there, and what auto chooses and why");
     add_one_scene_options(*command, args->scene);
-    add_method_options(*command, args->methods);
+    add_method_options(*command, args->methods, "auto");
     add_set_option(*command, args->settings);
     CommandRows rows(*command);
     rows.text("--view", args->view, "NAME", "Name of a view (default: all)");
