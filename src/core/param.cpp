@@ -26,12 +26,12 @@ std::optional<double> parse_choice(const Param& param, std::string_view text) {
     return static_cast<double>(found - param.choices.begin());
 }
 
-std::optional<double> parse(const Param& param, std::string_view text) {
+std::optional<double> parse(const Param& param, const GivenText& given) {
     switch (param.kind) {
         case ParamKind::flag:
-            return parse_flag(text);
+            return parse_flag(given.text);
         case ParamKind::choice:
-            return parse_choice(param, text);
+            return parse_choice(param, given.text);
         case ParamKind::text:
         case ParamKind::list:
             return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<double> parse(const Param& param, std::string_view text) {
         case ParamKind::real:
             break;
     }
-    const auto value = parse_number<double>(text);
+    const auto value = given.number ? given.number : parse_number<double>(given.text);
     // NaN is in no range, and what is infinite is no number.
     if (!value || !(*value >= param.min && *value <= param.max)) return std::nullopt;
     if (!std::isfinite(*value)) return std::nullopt;
@@ -80,7 +80,7 @@ std::string known_names(const std::vector<std::string>& names, std::string_view 
 }
 
 double parse_param(const Param& param, const GivenText& given, std::string_view called) {
-    const auto value = parse(param, given.text);
+    const auto value = parse(param, given);
     if (!value) {
         throw Error(given.where,
                     fmt::format("{} cannot be '{}'", called, given.text),

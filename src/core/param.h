@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,9 +45,10 @@ using ParamValues = std::map<std::string, std::string>;
 struct GivenText {
     std::string text;
     std::string where;
+    std::optional<double> number = {};  ///< of one who has it as a number; `text` is for messages
 };
 
-/// The double that `text` means for `param`.
+/// The double that `text`, or a given number, means for `param`.
 ///
 /// Throws Error (where = `where`) that names the range or the choices if it means nothing.
 [[nodiscard]] double parse_param(const Param& param, std::string_view text, std::string_view where);

@@ -68,6 +68,8 @@ struct AnimationRequest {
 struct ImageSize {
     int width_px = 0;
     int height_px = 0;
+
+    bool operator==(const ImageSize&) const = default;
 };
 
 /// An experiment, from its file or from the options of a command; all names are checked. A part of

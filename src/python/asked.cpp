@@ -36,37 +36,48 @@ std::filesystem::path model_reader() {
     return (folder / INK_READER_INSTALLED).lexically_normal();
 }
 
-/// The texts of a sequence; of anything else, the one of it.
-std::vector<std::string> texts_of(const py::handle& value) {
-    if (py::isinstance<py::str>(value) || !py::hasattr(value, "__iter__")) return {text_of(value)};
-    std::vector<std::string> texts;
+bool is_sequence(const py::handle& value) {
+    return !py::isinstance<py::str>(value) && py::hasattr(value, "__iter__");
+}
+
+/// What a value is where it is a number that a double can hold.
+std::optional<double> number_of(const py::handle& value) try {
+    return value.cast<double>();
+} catch (const py::cast_error&) {
+    return std::nullopt;
+}
+
+/// The elements of a sequence, or the one that is none: texts, with their numbers.
+std::vector<core::GivenText> elements_of(const py::handle& value, const std::string& where) {
+    if (!is_sequence(value)) return {{text_of(value), where, number_of(value)}};
+    std::vector<core::GivenText> elements;
     for (const py::handle each : value)
-        texts.push_back(text_of(each));
-    return texts;
+        elements.push_back({text_of(each), where, number_of(each)});
+    return elements;
 }
 
 std::string joined(const py::handle& value, const char* between) {
-    return fmt::format("{}", fmt::join(texts_of(value), between));
+    std::string text;
+    for (const core::GivenText& each : elements_of(value, ""))
+        text += (text.empty() ? "" : between) + each.text;
+    return text;
 }
 
-/// The numbers of a sequence; none of a text, which says them in the program's way.
+/// The numbers of a sequence, NaN for what is none; nothing of a text, which says them in the
+/// program's way.
 std::vector<double> numbers_of(const py::handle& value) {
     std::vector<double> numbers;
-    if (py::isinstance<py::str>(value) || !py::hasattr(value, "__iter__")) return numbers;
-    for (const py::handle each : value) {
-        if (PyNumber_Check(each.ptr()) == 0) return {};
-        numbers.push_back(py::float_(py::reinterpret_borrow<py::object>(each)));
-    }
+    if (!is_sequence(value)) return numbers;
+    for (const py::handle each : value)
+        numbers.push_back(number_of(each).value_or(NAN));
     return numbers;
 }
 
 glm::dvec3 point_of(const py::handle& value, const core::GivenText& given) {
     const std::vector<double> numbers = numbers_of(value);
-    const bool is_point = numbers.size() == 3 && std::ranges::all_of(numbers, [](double number) {
-                              return std::isfinite(number);
-                          });
-    return is_point ? glm::dvec3(numbers[0], numbers[1], numbers[2])
-                    : experiment::parse_point(given);
+    if (numbers.size() == 3 && std::isfinite(numbers[0] + numbers[1] + numbers[2]))
+        return {numbers[0], numbers[1], numbers[2]};
+    return experiment::parse_point(given);
 }
 
 experiment::ImageSize size_of(const py::handle& value) {
@@ -97,7 +108,8 @@ std::string key_of(const std::string& name) {
                           : experiment::place_of(option_table().param(row)).key;
 }
 
-/// The texts of an option and how messages call it: as the command line does, where it has it.
+/// What is given for an option, and how messages call it: as the command line does, where it has
+/// it. Numbers stay what they are.
 std::vector<core::GivenText> given_texts(std::size_t row, const py::handle& value) {
     const core::Param& param = option_table().param(row);
     const std::string& flag = option_table().options[row].flag;
@@ -106,10 +118,10 @@ std::vector<core::GivenText> given_texts(std::size_t row, const py::handle& valu
     const bool is_path = param.name == "grid.scenes" || param.name == "grid.presets" ||
                          param.name == "grid.entrants" || param.name == "views.objects";
     std::vector<core::GivenText> given;
-    for (const std::string& text : texts_of(value)) {
+    for (const auto& [text, place, number] : elements_of(value, where)) {
         const bool is_list = param.kind == core::ParamKind::list && !is_path;
         for (std::string& part : is_list ? core::split_list(text) : std::vector{text})
-            given.push_back({std::move(part), where});
+            given.push_back({std::move(part), place, number});
     }
     return given;
 }
@@ -155,10 +167,8 @@ void ask_cameras(const std::vector<Camera>& cameras, const py::dict& given, Aske
     if (given.contains("up"))
         throw core::Error("up", "each Camera has its own", "up for views by name, without cameras");
     const experiment::ImageSize size = cameras.front().size_px;
-    const bool is_one_size = std::ranges::all_of(cameras, [&](const Camera& camera) {
-        return camera.size_px.width_px == size.width_px &&
-               camera.size_px.height_px == size.height_px;
-    });
+    const bool is_one_size =
+        std::ranges::all_of(cameras, [&](const Camera& camera) { return camera.size_px == size; });
     if (given.contains("size") || !is_one_size) {
         throw core::Error("--size",
                           is_one_size ? "the camera has one" : "the cameras have several",

@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,20 +63,18 @@ struct CurveRecord {
 
 py::array curve_array(const std::vector<truth::Curve>& curves) {
     py::array_t<CurveRecord> array(static_cast<py::ssize_t>(curves.size()));
-    auto records = array.mutable_unchecked<1>();
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const truth::Curve& c = curves[i];
-        records(static_cast<py::ssize_t>(i)) = {c.begin.x_px,
-                                                c.begin.y_px,
-                                                c.begin.w,
-                                                c.end.x_px,
-                                                c.end.y_px,
-                                                c.end.w,
-                                                c.deviation_rad,
-                                                c.gap,
-                                                static_cast<std::uint8_t>(c.line_class),
-                                                static_cast<std::uint8_t>(c.kind)};
-    }
+    std::ranges::transform(curves, array.mutable_data(), [](const truth::Curve& c) -> CurveRecord {
+        return {c.begin.x_px,
+                c.begin.y_px,
+                c.begin.w,
+                c.end.x_px,
+                c.end.y_px,
+                c.end.w,
+                c.deviation_rad,
+                c.gap,
+                static_cast<std::uint8_t>(c.line_class),
+                static_cast<std::uint8_t>(c.kind)};
+    });
     return array;
 }
 

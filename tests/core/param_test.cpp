@@ -30,6 +30,17 @@ std::string message_of(const ParamValues& values) {
     return error_text([&] { return table().read(values, "basket"); });
 }
 
+TEST(ParamTable, AGivenNumberCountsAndItsTextIsForMessages) {
+    const ParamTable<Parameters> rows = table();
+    Parameters found;
+    rows.set(found, 0, {{"a third", "here", 1.0 / 3}}, "it");
+    EXPECT_EQ(found.size, 1.0 / 3);
+    EXPECT_EQ(error_text([&] {
+                  rows.set(found, 0, {{"4/3", "here", 4.0 / 3}}, "it");
+              }),
+              "here: it cannot be '4/3' (accepted: a number 0..1)");
+}
+
 TEST(ParamTable, DefaultsComeFromTheFields) {
     const auto params = table().params();
     EXPECT_EQ(params[0].default_value, 0.5);

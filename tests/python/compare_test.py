@@ -8,6 +8,7 @@ import sys
 import tempfile
 import time
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 from program import SIZE, SOURCE, read_gray, run, sentence
@@ -98,6 +99,8 @@ class Compare(unittest.TestCase):
         np.testing.assert_array_equal(edges, read_gray(self.folder / "d.png"))
         turned = inkbench.draw("mote4", "gear", CAMERA, time_s=0.25)
         self.assertTrue((edges != turned).any())
+        for quarter in (Fraction(1, 4), np.float32(0.25)):  # numbers are passed as such, whatever they print
+            np.testing.assert_array_equal(inkbench.draw("mote4", "gear", CAMERA, time_s=quarter), turned)
 
     def test_parallel_cameras_are_those_of_the_program(self):
         camera = inkbench.Camera((3, 2, 5), parallel_height=2.5, size=(320, 180))

@@ -101,7 +101,7 @@ Texts projections_text(const Experiment& e) {
 }
 
 void read_fit(Experiment& e, const Given& given) {
-    const auto& [fit, where] = given.front();
+    const auto& [fit, where, number] = given.front();
     if (fit != "sphere" && fit != "box")
         throw core::Error(where, fmt::format("'{}' is no way to fit", fit), "sphere, box");
     e.view_request.fit = fit == "box" ? harness::Fit::box : harness::Fit::sphere;
