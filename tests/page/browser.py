@@ -143,8 +143,8 @@ class BrowserTest(unittest.TestCase):
         """Unfolds a part, scrolls to it, waits until it is drawn, and gives it."""
         self.script("const part = sections.find(s => s.id === arguments[0]); if (part.fold) part.fold.open = true;"
                     "part.node.scrollIntoView()", section)
-        self.wait(lambda: self.script(
-            "return document.querySelector('#' + arguments[0] + ' .section-body').childElementCount > 0", section))
+        self.wait(lambda: self.script("const part = sections.find(s => s.id === arguments[0]);"
+                                      "return !part.isStale && part.body.childElementCount > 0", section))
         return self.find(f"#{section}")
 
     def address(self):
