@@ -1,5 +1,7 @@
 """Figures of small runs: whole files, readable text, nothing clipped or hidden, colours apart."""
 
+import contextlib
+import io
 import itertools
 import os
 import re
@@ -15,7 +17,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(SOURCE / "notebooks"), str(Path(__file__).parent)]
 
 import colour_distance  # noqa: E402
-import figures  # noqa: E402, F401  (chooses the back end)
+import figures  # noqa: E402  (chooses the back end)
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
@@ -42,9 +44,20 @@ def style_of(runs, **options):
     return looks.Style(registry=runs.registry(), **options)
 
 
-def script(*words):
+def process(*words):
     return subprocess.run([sys.executable, "-B", str(SCRIPT), *words], text=True,
                           capture_output=True, cwd=DESK.name)
+
+
+def script(*words):
+    """The same in this process, which has its libraries."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.chdir(DESK.name), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            code = figures.main([str(word) for word in words])
+        except SystemExit as end:
+            code = end.code
+    return subprocess.CompletedProcess(words, code or 0, out.getvalue(), err.getvalue())
 
 
 def drawn_texts(figure):
@@ -259,10 +272,10 @@ class Program(unittest.TestCase):
     def test_writes_all_formats_whole_and_the_same_bytes_again(self):
         words = [folder("compare"), "--format", "pdf,svg,png", "--width", "84mm", "--font-size",
                  "7", "--only", ",".join(self.CHARTS + ["verdict", "stress"]), "--out"]
-        first = script(*words, "one")
+        first = process(*words, "one")
         self.assertEqual(first.returncode, 0, first.stderr)
         self.assertEqual(first.stderr, "")
-        self.assertEqual(script(*words, "two").returncode, 0)
+        self.assertEqual(process(*words, "two").returncode, 0)
         one = {p.name: p.read_bytes() for p in Path(DESK.name, "one").iterdir()}
         two = {p.name: p.read_bytes() for p in Path(DESK.name, "two").iterdir()}
         self.assertEqual(sorted(one), sorted(two))

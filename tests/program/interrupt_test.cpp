@@ -72,10 +72,10 @@ TEST(CtrlC, EndsWorkOnALargeSceneInTwoSeconds) {
         std::string said;
     } cases[] = {
         {"compare --scenes globe --no-cache --out out", "out/run.toml", 0, "command goes on\n"},
-        {"compare --scenes globe --no-cache --out out", "out/run.toml", 6, "command goes on\n"},
+        {"compare --scenes globe --no-cache --out out", "out/run.toml", 3, "command goes on\n"},
         {"tune mote4 --scenes scan --out out", "out", 1, "command goes on from there\n"},
-        {"timedemo globe --methods surface8", "", 3, "interrupted; nothing is written\n"},
-        {"advise globe --no-cache", "", 3, "interrupted; nothing is written\n"},
+        {"timedemo globe --methods surface8", "", 2, "interrupted; nothing is written\n"},
+        {"advise globe --no-cache", "", 2, "interrupted; nothing is written\n"},
         {"truth globe --no-cache -o truth.png", "", 0.5, ""},
         {"draw globe -o drawn.png", "", 0.5, ""},
         {"explain globe", "", 0.5, ""}};

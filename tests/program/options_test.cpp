@@ -94,9 +94,10 @@ TEST(SceneOption, EveryCommandTakesBothWays) {
         "explain",
         "timedemo --method mote4 --frames 2"};
     for (const Words& command : commands) {
-        for (const char* scene : {"cube", "--scene cube", "--scenes=cube"})
+        for (const char* scene : {"cube", "--scene cube"})
             expect_done(desk, command + "--size 64x36" + scene);
     }
+    expect_done(desk, "truth -o b.png --size 64x36 --scenes=cube");
 }
 
 TEST(SceneOption, OfOneSceneSaysSoWhereThereAreMore) {
