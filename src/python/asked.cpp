@@ -40,8 +40,10 @@ bool is_sequence(const py::handle& value) {
     return !py::isinstance<py::str>(value) && py::hasattr(value, "__iter__");
 }
 
-/// What a value is where it is a number that a double can hold.
+/// What a value is where it is a number that a double can hold. True and False are none.
 std::optional<double> number_of(const py::handle& value) try {
+    const std::string text = text_of(value);
+    if (text == "true" || text == "false") return std::nullopt;
     return value.cast<double>();
 } catch (const py::cast_error&) {
     return std::nullopt;
@@ -63,14 +65,15 @@ std::string joined(const py::handle& value, const char* between) {
     return text;
 }
 
-/// The numbers of a sequence, NaN for what is none; nothing of a text, which says them in the
-/// program's way.
-std::vector<double> numbers_of(const py::handle& value) {
+/// The numbers of a sequence of them; none of a text, which says them in the program's way.
+std::vector<double> numbers_of(const py::handle& value) try {
     std::vector<double> numbers;
     if (!is_sequence(value)) return numbers;
     for (const py::handle each : value)
-        numbers.push_back(number_of(each).value_or(NAN));
+        numbers.push_back(each.cast<double>());
     return numbers;
+} catch (const py::cast_error&) {
+    return {};
 }
 
 glm::dvec3 point_of(const py::handle& value, const core::GivenText& given) {

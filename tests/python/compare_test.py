@@ -99,6 +99,8 @@ class Compare(unittest.TestCase):
         np.testing.assert_array_equal(edges, read_gray(self.folder / "d.png"))
         turned = inkbench.draw("mote4", "gear", CAMERA, time_s=0.25)
         self.assertTrue((edges != turned).any())
+        self.assertRaises(inkbench.Error, inkbench.Camera, (3, 2, 5), up=["here"])
+        inkbench.Camera((3, 2, 5), up=["x"])  # an axis by name
         for quarter in (Fraction(1, 4), np.float32(0.25)):  # numbers are passed as such, whatever they print
             np.testing.assert_array_equal(inkbench.draw("mote4", "gear", CAMERA, time_s=quarter), turned)
 
@@ -182,6 +184,8 @@ class Compare(unittest.TestCase):
                 (lambda: inkbench.draw("mote4", "cube", size=(0, 5)), ("draw", "cube", "--size", "0x5", "-o", "x.png")),
                 (lambda: inkbench.truth("cube", crease_deg=200), ("truth", "cube", "--crease", "200")),
                 (lambda: inkbench.truth("cube", threads="two"), ("truth", "cube", "--threads", "two")),
+                (lambda: inkbench.truth("cube", threads=True), ("truth", "cube", "--threads", "true")),
+                (lambda: inkbench.truth("cube", threads=np.True_), ("truth", "cube", "--threads", "true")),
                 (lambda: inkbench.truth("cube", time_s=1), ("truth", "cube", "--time", "1")),
                 (lambda: inkbench.truth("cube", seams="here"), ("truth", "cube", "--seams", "here")),
                 (lambda: inkbench.buffers("cube", views="file", margin=0.1),
